@@ -59,5 +59,8 @@ struct ListLook;
   one(LIST_SECOND, uint*, list_second, "second points of pairs")              \
   one(LIST_SHIFT, int*, list_shift, "shifts of pairs")                        \
   one(LIST_LOOK, ListLook*, list_look, "what points look through")            \
-  one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")
+  one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")  \
+  one(LIST_KEY, uint*, list_keys, "keys of pairs")                     \
+  one(LIST_BIN, uvec2*, list_bins, "bins of points")                      \
+  one(LIST_MASK, uint*, list_masks, "masks of found points")
 // clang-format on

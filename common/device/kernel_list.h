@@ -66,22 +66,20 @@
   each(list_clear, list_state, list_state | list_system | cell) \
   each(list_measure, list_state | list_system | list_given, list_state | list_system | list_place) \
   each(list_plan, list_state | list_system, list_state | list_system) \
-  each(list_bin, cell | list_state | list_system | list_given | list_place, cell) \
-  each(list_scatter, cell | list_state | list_system | list_given | list_place, cell | sorted | id | list_look) \
+  each(list_bin, cell | list_state | list_system | list_given | list_place, cell | list_bins) \
+  each(list_scatter, cell | list_state | list_bins, id) \
+  each(list_look, id | list_state | list_system | list_given | list_place, sorted | list_look) \
+  each(list_prepare, cell | id | list_state | list_system | list_given | list_place | list_bins, \
+       list_state | list_system | list_place | list_bins | cell | id | sorted | list_look) \
   each(list_count, cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
-       row_length) \
-  each(list_count_few, \
-       cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
-       list_state | row_length) \
+       row_length | list_masks) \
   each(list_sums, row_length | list_state, list_sum) \
   each(list_scan, row_length | list_state | list_sum, list_begin) \
-  each(list_fill, \
+  each(list_find, \
        cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded | \
-           row_length | list_begin, \
-       list_first | list_second | list_shift) \
-  each(list_fill_few, \
-       cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded | \
-           row_length | list_begin, \
+           row_length | list_begin | list_masks, \
+       list_keys) \
+  each(list_order, list_state | list_system | list_place | row_length | list_begin | list_keys, \
        list_first | list_second | list_shift)
 #define SPHEREPAIR_TENSOR_KERNELS(each) \
   each(tensor_bounds, position, tile_sum) \

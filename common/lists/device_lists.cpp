@@ -57,11 +57,16 @@ DeviceLists::Sent DeviceLists::told(const ListProblem& problem) {
   state.flags = (problem.asks ? LIST_ASKS : 0) | (problem.half ? LIST_HALF : 0) |
                 (problem.inclusive ? LIST_INCLUSIVE : 0) | (problem.self_pairs ? LIST_SELF_PAIRS : 0);
   state.exclusions = uint(problem.exclusions.size());
+  while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
+  const uint64_t threads = std::max<uint64_t>(uint64_t(state.looking) << state.row_bits, 1);
+  state.mask_words = std::clamp(uint(LIST_MASK_TOTAL / threads), LIST_MASK_LEAST, LIST_MASK_WORDS);
+  while (state.order_bits < 5 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
   for (size_t b = 0; b < problem.boxes.size(); ++b) {
     ListSystem system = system_in(Lattice(problem.boxes[b], b));
     system.first_point = uint(problem.set.offsets[b]);
     system.end_point = uint(problem.set.offsets[b + 1]);
     system.first_query = problem.asks ? uint(problem.queries.offsets[b]) : 0;
+    system.end_query = problem.asks ? uint(problem.queries.offsets[b + 1]) : 0;
     system.first_cell = system.first_point + uint(b);  // a slot more than there are points
     told.systems.push_back(system);
   }
@@ -98,19 +103,22 @@ bool DeviceLists::make_room() {
   context_.params.sort.scan_tiles = uint(ceil_div(uint64_t(state.points) + state.systems + 2, SCAN_TILE));
   context_.buffers.set_spheres(std::max<uint64_t>(context_.n, 1));
   const uint64_t looking = state.looking, points = state.points, tiles = context_.params.sort.scan_tiles;
-  const std::pair<uint, uint64_t> needed[] = {{SLOT_LIST_STATE, sizeof(ListState)},
-                                              {SLOT_LIST_SYSTEM, state.systems * sizeof(ListSystem)},
-                                              {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
-                                              {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
-                                              {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
-                                              {SLOT_SORTED, points * sizeof(vec4)},
-                                              {SLOT_ID, points * sizeof(uint)},
-                                              {SLOT_ROW_LENGTH, looking * sizeof(uint)},
-                                              {SLOT_LIST_BEGIN, (looking + 1) * sizeof(int64_t)},
-                                              {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
-                                              {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
-                                              {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
-                                              {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
+  const std::pair<uint, uint64_t> needed[] = {
+      {SLOT_LIST_STATE, sizeof(ListState)},
+      {SLOT_LIST_SYSTEM, state.systems * sizeof(ListSystem)},
+      {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
+      {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
+      {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
+      {SLOT_SORTED, points * sizeof(vec4)},
+      {SLOT_ID, points * sizeof(uint)},
+      {SLOT_LIST_BIN, points * sizeof(uvec2)},
+      {SLOT_LIST_MASK, (looking << state.row_bits) * state.mask_words * sizeof(uint)},
+      {SLOT_ROW_LENGTH, looking * sizeof(uint)},
+      {SLOT_LIST_BEGIN, (looking + 1) * sizeof(int64_t)},
+      {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
+      {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
+      {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
+      {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
   return grow(needed);
 }
 
@@ -127,7 +135,8 @@ bool DeviceLists::begin(const ListProblem& problem) {
 
 bool DeviceLists::set_columns(uint wanted, int64_t room) {
   const auto bytes = [&](uint flag, uint64_t each) { return wanted & flag ? uint64_t(room) * each : 0; };
-  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
+  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_KEY, uint64_t(room) * sizeof(uint)},
+                                               {SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
                                                {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
                                                {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}};
   const bool grown = grow(columns);
@@ -141,21 +150,37 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
   return false;
 }
 
-void DeviceLists::count() {
-  if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
-  const uint64_t words =
-      std::max<uint64_t>(context_.params.sort.scan_tiles * SCAN_TILE, sent_.state.systems * LIST_EXTREMES);
+bool DeviceLists::is_small() const {
+  return std::ranges::all_of(sent_.systems, [](const ListSystem& system) {
+    return system.end_point - system.first_point + system.end_query - system.first_query <= LIST_PREPARED;
+  });
+}
+
+void DeviceLists::prepare_small_systems() {
+  context_.buffers.clear(SLOT_LIST_STATE, offsetof(ListState, mask_words));  // nothing found yet
+  launch(Kernel::list_prepare, LIST_PREPARE_BLOCK, sent_.state.systems);
+}
+
+void DeviceLists::prepare_systems() {
+  const uint tiles = context_.params.sort.scan_tiles;
+  const uint64_t words = std::max<uint64_t>(tiles * SCAN_TILE, sent_.state.systems * LIST_EXTREMES);
   launch(Kernel::list_clear, SERVICE_BLOCK, ceil_div(words, SERVICE_BLOCK));
   launch(Kernel::list_measure, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK * LIST_EACH));
   launch(Kernel::list_plan, SERVICE_BLOCK, ceil_div(sent_.state.systems, SERVICE_BLOCK));
   launch(Kernel::list_bin, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
-  launch(Kernel::grid_sums, SCAN_BLOCK, context_.params.sort.scan_tiles);
-  launch(Kernel::grid_scan, SCAN_BLOCK, context_.params.sort.scan_tiles);
-  launch(Kernel::list_scatter, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK));
-  launch(Kernel::list_count_few, LIST_FEW_BLOCK, ceil_div(looking(), LIST_FEW_BLOCK));
-  launch(Kernel::list_count, LIST_BLOCK, std::min<uint64_t>(looking(), LIST_GROUPS));
-  launch(Kernel::list_sums, SCAN_BLOCK, ceil_div(looking(), LIST_TILE));
-  launch(Kernel::list_scan, SCAN_BLOCK, ceil_div(looking(), LIST_TILE));
+  if (tiles > 1) launch(Kernel::grid_sums, SCAN_BLOCK, tiles);
+  launch(Kernel::grid_scan, SCAN_BLOCK, tiles);
+  launch(Kernel::list_scatter, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
+  launch(Kernel::list_look, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK));
+}
+
+void DeviceLists::count() {
+  if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
+  is_small() ? prepare_small_systems() : prepare_systems();
+  const uint64_t row_tiles = ceil_div(looking(), LIST_TILE);
+  launch(Kernel::list_count, LIST_BLOCK, looking_groups());
+  if (row_tiles > 1) launch(Kernel::list_sums, SCAN_BLOCK, row_tiles);
+  launch(Kernel::list_scan, SCAN_BLOCK, row_tiles);
 }
 
 DeviceLists::Found DeviceLists::found() {
@@ -171,8 +196,8 @@ DeviceLists::Found DeviceLists::found() {
 
 void DeviceLists::fill() {
   if (is_empty()) return;  // nothing was counted
-  launch(Kernel::list_fill_few, LIST_FEW_BLOCK, ceil_div(looking(), LIST_FEW_BLOCK));
-  launch(Kernel::list_fill, LIST_BLOCK, std::min<uint64_t>(looking(), LIST_GROUPS));
+  launch(Kernel::list_find, LIST_BLOCK, looking_groups());
+  launch(Kernel::list_order, LIST_ORDER_BLOCK, ceil_div(looking(), 1u << sent_.state.order_bits));
 }
 
 void DeviceLists::write_points(const ListProblem& problem) {
@@ -211,9 +236,10 @@ void DeviceLists::refuse(const Found& found) {
                  {given.x, given.y, given.z}, given.w);
   }
   if (const auto i = found.far) throw *i < points ? too_far("positions", *i) : too_far("queries", *i - points);
-  throw ListError(ListFault::range,
-                  "the reach spans more than 1,020 boxes along an axis, or 2^24 in all: take a larger box, or copy the "
-                  "positions to the host");
+  throw ListError(
+      ListFault::range,
+      "the reach spans so many boxes that their images of all points are more than 2^32: take a larger box, "
+      "or copy the positions to the host");
 }
 
 std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& problem) {

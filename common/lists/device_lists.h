@@ -55,6 +55,10 @@ class DeviceLists {
   bool make_room();  // returns whether any buffer grew
   bool is_empty() const { return sent_.state.points == 0 || sent_.state.looking == 0; }
 
+  bool is_small() const;
+  void prepare_small_systems();
+  void prepare_systems();
+  uint64_t looking_groups() const { return ceil_div(looking() << sent_.state.row_bits, LIST_BLOCK); }
   void launch(Kernel kernel, uint block, uint64_t groups);
   std::vector<ListedPair> read_list(uint64_t pairs);
 

@@ -7,17 +7,22 @@
 
 #include "common/shared/layout.h"
 
-#define LIST_BLOCK 32                    // threads that share the row of a point with many neighbours
-#define LIST_ROOM 512u                   // pairs that they sort at a time
-#define LIST_RANKED 128u                 // as many find their places by counting
-#define LIST_GROUPS 32768u               // groups of threads that do so, at most
-#define LIST_FEW_BLOCK 128               // group size where each thread has a row of its own, ...
-#define LIST_FEW 16u                     // ... of so many pairs
-#define LIST_EACH 8u                     // elements of a thread of list_measure
-#define LIST_TILE 4096u                  // rows that a group of list_sums and of list_scan adds up
-#define LIST_IMAGES 1024                 // images along an axis, to either side, that a key has room for
-#define LIST_IMAGES_AT_MOST 16777216.0f  // of a box within reach
-#define LIST_ASKS 1u                     // flags of ListState: queries look, not the points
+#define LIST_BLOCK 128             // group size where threads look through cells
+#define LIST_THREADS 524288u       // threads that look, at least, unless 32 already share each row
+#define LIST_MASK_WORDS 32u        // that a thread may have for the points that it finds, ...
+#define LIST_MASK_TOTAL 33554432u  // ... or fewer where all threads would have more than this, ...
+#define LIST_MASK_LEAST 9u         // ... but not fewer than the ranges of a point with few neighbours
+#define LIST_ORDER_BLOCK 64        // group size of list_order, ...
+#define LIST_ORDER_ROWS 32u        // ... which orders so many rows of the list, ...
+#define LIST_ORDER_GROUPS 4096u    // ... or fewer where this gives so many groups
+#define LIST_PREPARED 2048u        // elements of a system that one group prepares, ...
+#define LIST_PREPARE_BLOCK 128     // ... of so many threads
+#define LIST_RANKED 64u            // keys of a row, at most, that find their places by counting smaller ones
+#define LIST_CHUNK 256u            // keys of a longer row that 32 threads sort in registers
+#define LIST_ROOM 1024u            // keys of a longer row that a group sorts at a time
+#define LIST_EACH 4u               // elements of a thread of list_measure
+#define LIST_TILE 2048u            // rows that a group of list_sums and of list_scan adds up
+#define LIST_ASKS 1u               // flags of ListState: queries look, not the points
 #define LIST_HALF 2u
 #define LIST_INCLUSIVE 4u
 #define LIST_SELF_PAIRS 8u
@@ -42,33 +47,35 @@ struct ListSystem {
   ListRows dual;            // coordinate k of x is dual_k . x, in boxes or, where not periodic, lengths
   double edge[3], span[3];  // sizes of rows and of duals
   uint periodic;            // bit k: axis k is
-  uint first_point, end_point, first_query, first_cell;
+  uint first_point, end_point, first_query, end_query, first_cell;
   uint extreme[LIST_EXTREMES];  // of list_measure, see ordered_high; of the low ones the complement
   uint cells[3];                // from here: of list_plan
-  float error;                  // of the distance of two wrapped points less their reach, in scaled units
-  uint dense;                   // not 0: points have many neighbours
+  float tolerance;              // of a squared distance less the squared reach, in scaled units and float32
+  uint images[3], key_bits;     // images within reach to either side; bits of a key that number an image
   double origin[3], scale;      // a wrapped point x is binned at (x - origin) * scale
   double low[3], cells_per_unit[3], slack[3];  // of coordinates
   double reach;                                // of a point of radius 0
 };
 
 struct ListState {
+  uint wrong, far;  // ~index of the first point that is not listed, or too far from its box
+  uint wide;        // not 0: keys have no room for the images within reach
+  uint mask_words;  // of a thread of list_count, for what it finds in its first ranges
   double cutoff, skin;
   int64_t room;                            // pairs that the columns have room for
   uint points, queries, looking, systems;  // queries stand behind the points; looking: all that look
   uint flags, exclusions;                  // LIST_*; pairs in SLOT_LIST_EXCLUDED
-  uint wrong, far;                         // ~index of the first point that is not listed, or too far from its box
-  uint wide;                               // not 0: the reach spans too many images
-  uint dense;                              // not 0: points have many neighbours
-  uint longest;                            // not 0: some row is longer than LIST_FEW, where they have few
-  uint unused;
+  uint row_bits, order_bits;               // 2^row_bits threads look for the pairs of a row; 2^order_bits rows a group
 };
 
-// What a point or a query looks through: cells, which beyond the system's own are of images.
+// What a point or a query looks through: a block of cells, of which those beyond the system's own are of images.
 struct UNIFORM_ALIGN ListLook {
-  vec4 place;  // wrapped and scaled; w: its own part of the reach
-  int low_x, low_y, low_z, high_x, high_y, high_z;
-  uint i, system;  // its index in the list's rows
+  vec4 place;                      // wrapped and scaled; w: its own part of the reach
+  uint cell_x, cell_y, cell_z;     // the first cell, ...
+  int image_x, image_y, image_z;   // ... its image, ...
+  uint along_x, along_y, along_z;  // ... and the number of cells along each axis
+  uint i, system;                  // its index in the list's rows
+  uint self;                       // the binned index of a point; ~0 of a query
 };
 
 // Order-preserving code of a number's upper 32 bits, for atomic maxima; 0 stands for none.
@@ -121,17 +128,6 @@ FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
 
 FN bool is_periodic(ListSystem s, uint k) { return (s.periodic >> k & 1u) != 0u; }
 
-// Estimates the points in a cube that extends by the reach to either side.
-FN float points_around(ListSystem s, float x, float y, float z) {
-  EXACT float around = float(s.end_point - s.first_point);
-  for (uint k = 0u; k < 3u; ++k) {
-    float reaches = k == 0u ? x : k == 1u ? y : z;
-    EXACT float share = 2.0f / reaches;
-    if (is_periodic(s, k) || reaches > 2.0f) around = around * share;
-  }
-  return around;
-}
-
 FN double largest_reach(ListSystem s) {
   EXACT double reach = s.reach + bound_above(s.extreme[LIST_LOOKING_RADIUS]);
   return reach;
@@ -160,10 +156,16 @@ FN ListAxis list_axis(ListSystem s, uint k) {
   return axis;
 }
 
-// Upper bounds: of the lengths of a system and its reach; of the numbers that are added to move a point to an image.
+// Upper bounds: of a wrapped point's coordinates and its reach; of the numbers that are added to move a point to an
+// image.
 FN double list_size(ListSystem s) {
-  EXACT double size = largest_reach(s);
-  for (uint k = 0u; k < 3u; ++k) size = size + list_axis(s, k).extent * s.edge[k];
+  EXACT double largest = bits_double(0u, 0u);
+  for (uint axis = 0u; axis < 3u; ++axis) {
+    EXACT double along = bits_double(0u, 0u);
+    for (uint k = 0u; k < 3u; ++k) along = along + list_axis(s, k).extent * magnitude(s.row.of[3u * k + axis]);
+    if (along > largest) largest = along;
+  }
+  EXACT double size = largest + largest_reach(s);
   return size;
 }
 FN double list_added(ListSystem s) {
@@ -176,9 +178,24 @@ FN double list_added(ListSystem s) {
   return added;
 }
 
+// Sets the images along each axis that a wrapped point of 0 <= coordinate <= 1 may reach, and the bits of their number.
+FN ListSystem with_images(ListSystem s) {
+  EXACT double all = bits_double(0x3FF00000u, 0u);
+  for (uint k = 0u; k < 3u; ++k) {
+    EXACT double span = largest_reach(s) * s.span[k] + list_axis(s, k).slack;
+    s.images[k] = !is_periodic(s, k) ? 0u : span < bits_double(0x41300000u, 0u) ? uint(span) + 1u : 1048577u;  // 2^20
+    all = all * double(2u * s.images[k] + 1u);
+  }
+  s.key_bits = 0u;
+  while (s.key_bits < 32u && double(1u << s.key_bits) < all) ++s.key_bits;
+  return s;
+}
+
 // The cells of a system, from its extremes. With u = 2^-53: a coordinate, and a wrapped point's distance from another,
-// are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers; in float32 and scaled, by
-// less than 2^-21.
+// are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers. In float32 and scaled, five
+// numbers below 1 are rounded along each axis, each by at most 2^-25: a distance by less than 2^-21. So near its reach
+// c <= r a distance d is off by e at most, and d^2 - c^2 by less than e (2r + e), besides seven roundings of squares
+// and reaches, each by at most 2^-24 (r + e)^2, of which 2^-20 (r + e)^2 covers twice as much.
 FN ListSystem list_planned(ListSystem s, ListState state) {
   double zero = bits_double(0u, 0u);
   EXACT double reach = state.cutoff + state.skin + bound_above(s.extreme[LIST_RADIUS]);
@@ -187,13 +204,15 @@ FN ListSystem list_planned(ListSystem s, ListState state) {
   ListAxis y = list_axis(s, 1u);
   ListAxis z = list_axis(s, 2u);
   s = with_cells(s, x.reaches, y.reaches, z.reaches);
-  s.dense = points_around(s, x.reaches, y.reaches, z.reaches) > 24.0f ? 1u : 0u;
+  s = with_images(s);
   double size = list_size(s);
   uint exponent = (double_high(size) >> 20) + 1u;  // of a power of two above the size
   s.scale = size > zero ? bits_double((2046u - exponent) << 20, 0u) : bits_double(0x3FF00000u, 0u);
   EXACT double rounded = list_added(s) * s.scale * bits_double((1023u - 46u) << 20, 0u);
-  EXACT float error = float(rounded) * 8.0f + bits_float((127u - 20u) << 23);
-  s.error = error;
+  EXACT double error = rounded * bits_double(0x40200000u, 0u) + bits_double((1023u - 21u) << 20, 0u);
+  EXACT double farthest = largest_reach(s) * s.scale + error;
+  EXACT double tolerance = farthest * (error + error + farthest * bits_double((1023u - 20u) << 20, 0u));
+  s.tolerance = float(tolerance);
   for (uint k = 0u; k < 3u; ++k) {
     ListAxis axis = list_axis(s, k);
     EXACT double per_unit = double(s.cells[k]) / axis.extent;
@@ -208,30 +227,11 @@ FN ListSystem list_planned(ListSystem s, ListState state) {
   return s;
 }
 
-// Whether images within a system's reach are too many for a key, or to be looked through by a group.
+// Whether the points of a system times the images within its reach are more than keys can number.
 FN bool spans_too_much(ListSystem s) {
-  EXACT double images = bits_double(0x3FF00000u, 0u);
-  for (uint k = 0u; k < 3u; ++k) {
-    if (!is_periodic(s, k)) continue;
-    EXACT double span = largest_reach(s) * s.span[k];
-    if (!(span < double(LIST_IMAGES - 4))) return true;
-    EXACT double several = span + span + bits_double(0x40080000u, 0u);
-    images = images * several;
-  }
-  return images > double(LIST_IMAGES_AT_MOST);
-}
-
-// The power of two of keys that a row's sort takes.
-FN uint room_for(uint length) { return length < 2u ? length : 2u << highest_bit(length - 1u); }
-
-// The key of a pair in its row: rows ascend by j, then by the images.
-FN uint64_t list_key(uint j, int x, int y, int z) {
-  return uint64_t(j) << 33 | uint64_t(uint(x + LIST_IMAGES)) << 22 | uint64_t(uint(y + LIST_IMAGES)) << 11 |
-         uint64_t(uint(z + LIST_IMAGES));
-}
-FN uint point_of_key(uint64_t key) { return uint(key >> 33); }
-FN int image_of_key(uint64_t key, uint axis) {
-  return int(uint(key >> (22u - 11u * axis)) & (2u * uint(LIST_IMAGES) - 1u)) - LIST_IMAGES;
+  if (s.key_bits > 31u) return true;
+  EXACT double keys = double(s.end_point - s.first_point) * double(1u << s.key_bits);
+  return keys > bits_double(0x41F00000u, 0u);  // 2^32
 }
 
 #endif

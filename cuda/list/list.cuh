@@ -7,6 +7,11 @@
 
 namespace spherepair {
 
+// Whether no invalid number, no point too far away and no reach too long was found.
+__device__ inline bool is_right(const KernelBuffers& buf) {
+  return (buf.list_state[0].wrong | buf.list_state[0].far | buf.list_state[0].wide) == 0u;
+}
+
 __device__ inline bool has_flag(const KernelBuffers& buf, uint flag) { return (buf.list_state[0].flags & flag) != 0u; }
 
 // The last system that begins at the element or before it, and is not empty.
@@ -25,6 +30,11 @@ __device__ inline uint system_of(const KernelBuffers& buf, uint i) {
     }
   }
   return low;
+}
+
+// The element of the i-th that looks.
+__device__ inline uint element_of(const KernelBuffers& buf, uint i) {
+  return has_flag(buf, LIST_ASKS) ? buf.list_state[0].points + i : i;
 }
 
 __device__ inline int floor_of(double x) {

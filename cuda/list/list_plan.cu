@@ -12,7 +12,6 @@ __global__ void __launch_bounds__(BLOCK) list_plan(Params p, KernelBuffers buf) 
   ListSystem planned = list_planned(buf.list_system[s], buf.list_state[0]);
   buf.list_system[s] = planned;
   if (spans_too_much(planned)) buf.list_state[0].wide = 1u;
-  if (planned.dense != 0u) buf.list_state[0].dense = 1u;
 }
 
 Entry list_plan_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_plan); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rows of cells within a point's reach, each a contiguous range of binned points in one image, and the test whether
-// the list has one of these points.
+// The cells within a point's reach, as contiguous ranges of binned points, each in one image; and the test whether the
+// list has one of these points.
 #pragma once
 
 #include "common/shared/list_exact.h"
@@ -8,51 +8,48 @@
 
 namespace spherepair {
 
-// Whether no invalid number, no point too far away and no reach too long was found.
-__device__ inline bool is_right(const KernelBuffers& buf) {
-  return (buf.list_state[0].wrong | buf.list_state[0].far | buf.list_state[0].wide) == 0u;
-}
-
-__device__ inline int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
-__device__ inline uint images_along_x(const KernelBuffers& buf, ListLook look) {
-  int cells = int(buf.list_system[look.system].cells[0]);
-  return uint(floor_divide(look.high_x, cells) - floor_divide(look.low_x, cells) + 1);
-}
-__device__ inline uint rows_of(const KernelBuffers& buf, ListLook look) {
-  if (look.high_x < look.low_x || look.high_y < look.low_y || look.high_z < look.low_z) return 0u;
-  return images_along_x(buf, look) * uint(look.high_y - look.low_y + 1) * uint(look.high_z - look.low_z + 1);
-}
-
+// A row of cells along x: what is left of it after the range begin <= k < end, and that range's image.
 struct CellRow {
-  uint begin, end;  // binned indices
-  vec4 shift;       // of the image
+  uint first, x, left;  // the cell at x = 0 of the system; the next cell, and how many
+  uint begin, end;
   ivec4 image;
 };
-__device__ inline CellRow row_at(const KernelBuffers& buf, ListLook look, uint r) {
+
+__device__ inline CellRow row_at(const KernelBuffers& buf, ListLook look, uint y, uint z) {
   uint s = look.system;
-  int cells_x = int(buf.list_system[s].cells[0]);
-  int cells_y = int(buf.list_system[s].cells[1]);
-  int cells_z = int(buf.list_system[s].cells[2]);
-  uint images = images_along_x(buf, look);
-  uint ys = uint(look.high_y - look.low_y + 1);
-  int y = look.low_y + int(r / images % ys);
-  int z = look.low_z + int(r / images / ys);
-  ivec4 image =
-      ivec4{floor_divide(look.low_x, cells_x) + int(r % images), floor_divide(y, cells_y), floor_divide(z, cells_z), 0};
-  int from = max(look.low_x - image.x * cells_x, 0);
-  int to = min(look.high_x - image.x * cells_x, cells_x - 1);
-  uint first = uint((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * uint(cells_x);
-  first += buf.list_system[s].first_cell;
+  y += look.cell_y;
+  z += look.cell_z;
+  uint cells_y = buf.list_system[s].cells[1];
+  uint cells_z = buf.list_system[s].cells[2];
+  uint beyond_y = y < cells_y ? 0u : y / cells_y;
+  uint beyond_z = z < cells_z ? 0u : z / cells_z;
   CellRow row;
-  row.begin = buf.cell[first + uint(from)];
-  row.end = buf.cell[first + uint(to) + 1u];
-  row.image = image;
-  row.shift = vec4{0.0f, 0.0f, 0.0f, 0.0f};
-  if (image.x != 0 || image.y != 0 || image.z != 0)
-    row.shift =
-        vec4{scaled_boxes(buf, s, image, 0u), scaled_boxes(buf, s, image, 1u), scaled_boxes(buf, s, image, 2u), 0.0f};
+  row.first = ((z - beyond_z * cells_z) * cells_y + y - beyond_y * cells_y) * buf.list_system[s].cells[0];
+  row.first += buf.list_system[s].first_cell;
+  row.x = look.cell_x;
+  row.left = look.along_x;
+  row.image = ivec4{look.image_x - 1, look.image_y + int(beyond_y), look.image_z + int(beyond_z), 0};
   return row;
+}
+
+// Goes on to the next range: of the next image.
+__device__ inline CellRow next_range(const KernelBuffers& buf, ListLook look, CellRow row) {
+  uint cells = min(row.left, buf.list_system[look.system].cells[0] - row.x);
+  row.begin = buf.cell[row.first + row.x];
+  row.end = buf.cell[row.first + row.x + cells];
+  row.x = 0u;
+  row.left -= cells;
+  ++row.image.x;
+  return row;
+}
+
+// Where the point that looks lies, seen from an image.
+__device__ inline vec4 seen_from(const KernelBuffers& buf, ListLook look, ivec4 image) {
+  if (image.x == 0 && image.y == 0 && image.z == 0) return look.place;
+  EXACT float x = look.place.x - scaled_boxes(buf, look.system, image, 0u);
+  EXACT float y = look.place.y - scaled_boxes(buf, look.system, image, 1u);
+  EXACT float z = look.place.z - scaled_boxes(buf, look.system, image, 2u);
+  return vec4{x, y, z, look.place.w};
 }
 
 __device__ inline bool is_excluded(const KernelBuffers& buf, uint i, uint j) {
@@ -73,16 +70,18 @@ __device__ inline bool is_excluded(const KernelBuffers& buf, uint i, uint j) {
   return false;
 }
 
+// Whether any pair within reach is listed, but (i, i, 0).
+__device__ inline bool lists_all(const KernelBuffers& buf) {
+  return !has_flag(buf, LIST_HALF | LIST_SELF_PAIRS) && buf.list_state[0].exclusions == 0u;
+}
+
 // Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
 __device__ inline bool is_wanted(const KernelBuffers& buf, uint i, uint j, ivec4 image) {
+  if (buf.list_state[0].exclusions != 0u && is_excluded(buf, i, j)) return false;
   if (has_flag(buf, LIST_ASKS)) return true;
   if (i != j) return i < j || !has_flag(buf, LIST_HALF);
   int first = image.x != 0 ? image.x : image.y != 0 ? image.y : image.z;
   return first == 0 ? has_flag(buf, LIST_SELF_PAIRS) : first > 0 || !has_flag(buf, LIST_HALF);
-}
-
-__device__ inline uint element_of(const KernelBuffers& buf, uint i) {
-  return has_flag(buf, LIST_ASKS) ? buf.list_state[0].points + i : i;
 }
 
 __device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j, ivec4 image) {
@@ -94,24 +93,51 @@ __device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j,
                            buf.list_state[0].cutoff, buf.list_state[0].skin, has_flag(buf, LIST_INCLUSIVE));
 }
 
-// Whether the list has the pair with a binned point in an image: a float32 filter, then the numbers as given.
-__device__ inline bool is_listed(const KernelBuffers& buf, ListLook look, float error, uint at, vec4 shift,
-                                 ivec4 image) {
-  vec4 other = buf.sorted[at];
-  EXACT float x = other.x + shift.x - look.place.x;
-  EXACT float y = other.y + shift.y - look.place.y;
-  EXACT float z = other.z + shift.z - look.place.z;
-  EXACT float squared = x * x + y * y + z * z;
-  EXACT float reach = look.place.w + other.w;
-  EXACT float far = reach + error;
-  EXACT float near = reach - error;
-  EXACT float farthest = far * far * 1.00001f;
-  EXACT float nearest = near * near * 0.99999f;
-  if (squared > farthest) return false;
-  uint j = buf.id[at];
-  if (!is_wanted(buf, look.i, j, image)) return false;
-  if (buf.list_state[0].exclusions != 0u && is_excluded(buf, look.i, j)) return false;
-  return (near > 0.0f && squared < nearest) || is_within_reach(buf, look.i, j, image);
+// A bit for each of up to 32 binned points, the last one lowest: in x those that float32 can tell are within reach, in
+// y also those that it leaves undecided.
+__device__ inline uvec2 filtered(const KernelBuffers& buf, ListLook look, CellRow row, uint begin, uint end,
+                                 float tolerance) {
+  vec4 from = seen_from(buf, look, row.image);
+  uvec2 bits = uvec2{0u, 0u};
+  for (uint at = begin; at < end; ++at) {
+    vec4 other = buf.sorted[at];
+    EXACT float x = other.x - from.x;
+    EXACT float y = other.y - from.y;
+    EXACT float z = other.z - from.z;
+    EXACT float reach = from.w + other.w;
+    EXACT float in_plane = multiply_add(x, x, y * y);
+    EXACT float squared = multiply_add(z, z, in_plane);
+    EXACT float beyond = multiply_add(reach, -reach, squared);
+    EXACT float most = beyond + tolerance;
+    EXACT float least = beyond - tolerance;
+    bits.x = bits.x << 1 | float_bits(most) >> 31;
+    bits.y = bits.y << 1 | float_bits(least) >> 31;
+  }
+  return bits;
+}
+
+// The bits of the points that the list has as pairs of the point that looks; in y not 0 if some are undecided. Where
+// `exact`, these are decided on the numbers as given.
+__device__ inline uvec2 listed_points(const KernelBuffers& buf, ListLook look, CellRow row, uint begin, uint end,
+                                      bool all, bool exact) {
+  uvec2 bits = filtered(buf, look, row, begin, end, buf.list_system[look.system].tolerance);
+  bool given = row.image.x == 0 && row.image.y == 0 && row.image.z == 0;
+  if (all && given && look.self >= begin && look.self < end) {
+    uint others = ~(1u << (end - 1u - look.self));
+    bits = uvec2{bits.x & others, bits.y & others};
+  }
+  uint undecided = bits.y & ~bits.x;
+  uint listed = bits.x;
+  uint open = (all ? 0u : bits.x) | (exact ? undecided : 0u);
+  while (open != 0u) {
+    uint bit = open & (~open + 1u);
+    uint j = buf.id[end - 1u - lowest_bit(open)];
+    open ^= bit;
+    bool is_pair = is_wanted(buf, look.i, j, row.image);
+    if (exact && is_pair && (undecided & bit) != 0u) is_pair = is_within_reach(buf, look.i, j, row.image);
+    listed = is_pair ? listed | bit : listed & ~bit;
+  }
+  return uvec2{listed, undecided};
 }
 
 }  // namespace spherepair

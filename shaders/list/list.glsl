@@ -4,10 +4,16 @@
 #include "shaders/kernels.glsl"
 #include "common/shared/list.h"
 
+#ifndef LIST_ACCESS
+#define LIST_ACCESS
+#endif
 layout(std430, binding = SLOT_LIST_STATE) restrict buffer ListStateBuffer { ListState list_state[]; };
-layout(std430, binding = SLOT_LIST_SYSTEM) restrict buffer ListSystemBuffer { ListSystem list_system[]; };
+layout(std430, binding = SLOT_LIST_SYSTEM) restrict LIST_ACCESS buffer ListSystemBuffer { ListSystem list_system[]; };
 layout(std430, binding = SLOT_LIST_GIVEN) restrict readonly buffer ListGivenBuffer { dvec4 list_given[]; };
 layout(std430, binding = SLOT_LIST_PLACE) restrict buffer ListPlaceBuffer { ivec4 list_place[]; };
+
+// Whether no invalid number, no point too far away and no reach too long was found.
+bool is_right() { return (list_state[0].wrong | list_state[0].far | list_state[0].wide) == 0u; }
 
 bool has_flag(uint flag) { return (list_state[0].flags & flag) != 0u; }
 
@@ -27,6 +33,9 @@ uint system_of(uint i) {
   }
   return low;
 }
+
+// The element of the i-th that looks.
+uint element_of(uint i) { return has_flag(LIST_ASKS) ? list_state[0].points + i : i; }
 
 int floor_of(double x) {
   int below = int(x);

@@ -1,13 +1,15 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per point: counts it in the slot behind its cell, where the prefix sums then leave the begin of the cell
-// and list_scatter that of the next.
+// One thread per point: counts it in its cell, and notes the cell and how many points it had before.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict buffer CellBuffer { uint cell[]; };
+layout(std430, binding = SLOT_LIST_BIN) restrict writeonly buffer ListBinBuffer { uvec2 list_bins[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
   uint i = group_index() * BLOCK + gl_LocalInvocationID.x;
-  if (i < list_state[0].points) atomicAdd(cell[cell_of(i) + 1u], 1u);
+  if (i >= list_state[0].points) return;
+  uint own = cell_of(i);
+  list_bins[i] = uvec2(own, atomicAdd(cell[own], 1u));
 }

@@ -14,6 +14,4 @@ void main() {
   list_state[0].wrong = 0u;
   list_state[0].far = 0u;
   list_state[0].wide = 0u;
-  list_state[0].dense = 0u;
-  list_state[0].longest = 0u;
 }

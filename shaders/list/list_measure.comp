@@ -1,61 +1,10 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per LIST_EACH elements: wraps each into its system's box, and adds it to the extremes of the system. Those
-// of the group's first system are added up by the threads, then in shared memory.
-#include "shaders/list/list.glsl"
+// One thread per LIST_EACH elements: wraps each into its system's box, and adds it to the extremes of the system; the
+// group adds up those of its first system.
+#include "shaders/list/list_extremes.glsl"
 
 layout(local_size_x = BLOCK) in;
-shared uint extreme[LIST_EXTREMES];
-shared uint group_system;
-
-struct Extremes {
-  uint of[LIST_EXTREMES];
-};
-
-Extremes noted(Extremes own, uint s, uint which, uint value) {
-  if (s == group_system) {
-    own.of[which] = max(own.of[which], value);
-  } else if (value != 0u) {
-    atomicMax(list_system[s].extreme[which], value);
-  }
-  return own;
-}
-
-// Wraps along an axis that is periodic; the number of boxes.
-int boxes_along(uint i, uint s, uint k) {
-  if ((list_system[s].periodic >> k & 1u) == 0u) return 0;
-  double at = list_coordinate(list_system[s].dual, k, list_given[i]);
-  if (magnitude(at) < double(1073741824.0f)) return floor_of(at);
-  atomicMax(list_state[0].far, ~i);
-  return 0;
-}
-
-Extremes measured(Extremes own, uint i, uint s) {
-  dvec4 x = list_given[i];
-  bool point = i < list_state[0].points;
-  list_place[i] = ivec4(0, 0, 0, int(s));
-  if (!(is_listed_number(x.x) && is_listed_number(x.y) && is_listed_number(x.z) && is_listed_number(x.w)) ||
-      x.w < double(0.0f)) {
-    atomicMax(list_state[0].wrong, ~i);
-    return own;
-  }
-  ivec4 boxes = ivec4(boxes_along(i, s, 0u), boxes_along(i, s, 1u), boxes_along(i, s, 2u), int(s));
-  list_place[i] = boxes;
-  own = noted(own, s, LIST_CELLS, uint(max(boxes.x, -boxes.x)));
-  own = noted(own, s, LIST_CELLS + 1u, uint(max(boxes.y, -boxes.y)));
-  own = noted(own, s, LIST_CELLS + 2u, uint(max(boxes.z, -boxes.z)));
-  for (uint k = 0u; k < 3u; ++k) {
-    if (!point || (list_system[s].periodic >> k & 1u) != 0u) continue;
-    uint at = ordered_high(list_coordinate(list_system[s].dual, k, x));
-    own = noted(own, s, LIST_LOW + k, ~at);
-    own = noted(own, s, LIST_HIGH + k, at);
-  }
-  uint size = max(ordered_high(magnitude(x.x)), max(ordered_high(magnitude(x.y)), ordered_high(magnitude(x.z))));
-  own = noted(own, s, LIST_LARGEST, size);
-  if (point) own = noted(own, s, LIST_RADIUS, ordered_high(x.w));
-  if (!point || !has_flag(LIST_ASKS)) own = noted(own, s, LIST_LOOKING_RADIUS, ordered_high(x.w));
-  return own;
-}
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
@@ -64,14 +13,12 @@ void main() {
   if (lane == 0u) group_system = system_of(min(first, elements - 1u));
   if (lane < LIST_EXTREMES) extreme[lane] = 0u;
   barrier();
-  Extremes own;
-  for (uint which = 0u; which < LIST_EXTREMES; ++which) own.of[which] = 0u;
+  Extremes own = no_extremes();
   for (uint k = 0u; k < LIST_EACH; ++k) {
     uint i = first + k * BLOCK;
     if (i < elements) own = measured(own, i, system_of(i));
   }
-  for (uint which = 0u; which < LIST_EXTREMES; ++which)
-    if (own.of[which] != 0u) atomicMax(extreme[which], own.of[which]);
+  add_up(own);
   barrier();
   if (lane < LIST_EXTREMES && extreme[lane] != 0u) atomicMax(list_system[group_system].extreme[lane], extreme[lane]);
 }

@@ -11,5 +11,4 @@ void main() {
   ListSystem planned = list_planned(list_system[s], list_state[0]);
   list_system[s] = planned;
   if (spans_too_much(planned)) list_state[0].wide = 1u;
-  if (planned.dense != 0u) list_state[0].dense = 1u;
 }

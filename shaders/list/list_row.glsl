@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rows of cells within a point's reach, each a contiguous range of binned points in one image, and the test whether
-// the list has one of these points.
+// The cells within a point's reach, as contiguous ranges of binned points, each in one image; and the test whether the
+// list has one of these points.
 #include "shaders/list/list.glsl"
 #include "common/shared/list_exact.h"
 
@@ -10,48 +10,48 @@ layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { ve
 layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-// Whether no invalid number, no point too far away and no reach too long was found.
-bool is_right() { return (list_state[0].wrong | list_state[0].far | list_state[0].wide) == 0u; }
-
-int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
-uint images_along_x(ListLook look) {
-  int cells = int(list_system[look.system].cells[0]);
-  return uint(floor_divide(look.high_x, cells) - floor_divide(look.low_x, cells) + 1);
-}
-uint rows_of(ListLook look) {
-  if (look.high_x < look.low_x || look.high_y < look.low_y || look.high_z < look.low_z) return 0u;
-  return images_along_x(look) * uint(look.high_y - look.low_y + 1) * uint(look.high_z - look.low_z + 1);
-}
-
+// A row of cells along x: what is left of it after the range begin <= k < end, and that range's image.
 struct CellRow {
-  uint begin, end;  // binned indices
-  vec4 shift;       // of the image
+  uint first, x, left;  // the cell at x = 0 of the system; the next cell, and how many
+  uint begin, end;
   ivec4 image;
 };
-CellRow row_at(ListLook look, uint r) {
+
+CellRow row_at(ListLook look, uint y, uint z) {
   uint s = look.system;
-  int cells_x = int(list_system[s].cells[0]);
-  int cells_y = int(list_system[s].cells[1]);
-  int cells_z = int(list_system[s].cells[2]);
-  uint images = images_along_x(look);
-  uint ys = uint(look.high_y - look.low_y + 1);
-  int y = look.low_y + int(r / images % ys);
-  int z = look.low_z + int(r / images / ys);
-  ivec4 image =
-      ivec4(floor_divide(look.low_x, cells_x) + int(r % images), floor_divide(y, cells_y), floor_divide(z, cells_z), 0);
-  int from = max(look.low_x - image.x * cells_x, 0);
-  int to = min(look.high_x - image.x * cells_x, cells_x - 1);
-  uint first = uint((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * uint(cells_x);
-  first += list_system[s].first_cell;
+  y += look.cell_y;
+  z += look.cell_z;
+  uint cells_y = list_system[s].cells[1];
+  uint cells_z = list_system[s].cells[2];
+  uint beyond_y = y < cells_y ? 0u : y / cells_y;
+  uint beyond_z = z < cells_z ? 0u : z / cells_z;
   CellRow row;
-  row.begin = cell[first + uint(from)];
-  row.end = cell[first + uint(to) + 1u];
-  row.image = image;
-  row.shift = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  if (image.x != 0 || image.y != 0 || image.z != 0)
-    row.shift = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
+  row.first = ((z - beyond_z * cells_z) * cells_y + y - beyond_y * cells_y) * list_system[s].cells[0];
+  row.first += list_system[s].first_cell;
+  row.x = look.cell_x;
+  row.left = look.along_x;
+  row.image = ivec4(look.image_x - 1, look.image_y + int(beyond_y), look.image_z + int(beyond_z), 0);
   return row;
+}
+
+// Goes on to the next range: of the next image.
+CellRow next_range(ListLook look, CellRow row) {
+  uint cells = min(row.left, list_system[look.system].cells[0] - row.x);
+  row.begin = cell[row.first + row.x];
+  row.end = cell[row.first + row.x + cells];
+  row.x = 0u;
+  row.left -= cells;
+  ++row.image.x;
+  return row;
+}
+
+// Where the point that looks lies, seen from an image.
+vec4 seen_from(ListLook look, ivec4 image) {
+  if (image.x == 0 && image.y == 0 && image.z == 0) return look.place;
+  EXACT float x = look.place.x - scaled_boxes(look.system, image, 0u);
+  EXACT float y = look.place.y - scaled_boxes(look.system, image, 1u);
+  EXACT float z = look.place.z - scaled_boxes(look.system, image, 2u);
+  return vec4(x, y, z, look.place.w);
 }
 
 bool is_excluded(uint i, uint j) {
@@ -72,15 +72,17 @@ bool is_excluded(uint i, uint j) {
   return false;
 }
 
+// Whether any pair within reach is listed, but (i, i, 0).
+bool lists_all() { return !has_flag(LIST_HALF | LIST_SELF_PAIRS) && list_state[0].exclusions == 0u; }
+
 // Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
 bool is_wanted(uint i, uint j, ivec4 image) {
+  if (list_state[0].exclusions != 0u && is_excluded(i, j)) return false;
   if (has_flag(LIST_ASKS)) return true;
   if (i != j) return i < j || !has_flag(LIST_HALF);
   int first = image.x != 0 ? image.x : image.y != 0 ? image.y : image.z;
   return first == 0 ? has_flag(LIST_SELF_PAIRS) : first > 0 || !has_flag(LIST_HALF);
 }
-
-uint element_of(uint i) { return has_flag(LIST_ASKS) ? list_state[0].points + i : i; }
 
 bool is_within_reach(uint i, uint j, ivec4 image) {
   uint element = element_of(i);
@@ -91,21 +93,47 @@ bool is_within_reach(uint i, uint j, ivec4 image) {
                            list_state[0].skin, has_flag(LIST_INCLUSIVE));
 }
 
-// Whether the list has the pair with a binned point in an image: a float32 filter, then the numbers as given.
-bool is_listed(ListLook look, float error, uint at, vec4 shift, ivec4 image) {
-  vec4 other = sorted[at];
-  EXACT float x = other.x + shift.x - look.place.x;
-  EXACT float y = other.y + shift.y - look.place.y;
-  EXACT float z = other.z + shift.z - look.place.z;
-  EXACT float squared = x * x + y * y + z * z;
-  EXACT float reach = look.place.w + other.w;
-  EXACT float far = reach + error;
-  EXACT float near = reach - error;
-  EXACT float farthest = far * far * 1.00001f;
-  EXACT float nearest = near * near * 0.99999f;
-  if (squared > farthest) return false;
-  uint j = id[at];
-  if (!is_wanted(look.i, j, image)) return false;
-  if (list_state[0].exclusions != 0u && is_excluded(look.i, j)) return false;
-  return (near > 0.0f && squared < nearest) || is_within_reach(look.i, j, image);
+// A bit for each of up to 32 binned points, the last one lowest: in x those that float32 can tell are within reach, in
+// y also those that it leaves undecided.
+uvec2 filtered(ListLook look, CellRow row, uint begin, uint end, float tolerance) {
+  vec4 from = seen_from(look, row.image);
+  uvec2 bits = uvec2(0u, 0u);
+  for (uint at = begin; at < end; ++at) {
+    vec4 other = sorted[at];
+    EXACT float x = other.x - from.x;
+    EXACT float y = other.y - from.y;
+    EXACT float z = other.z - from.z;
+    EXACT float reach = from.w + other.w;
+    EXACT float in_plane = multiply_add(x, x, y * y);
+    EXACT float squared = multiply_add(z, z, in_plane);
+    EXACT float beyond = multiply_add(reach, -reach, squared);
+    EXACT float most = beyond + tolerance;
+    EXACT float least = beyond - tolerance;
+    bits.x = bits.x << 1 | float_bits(most) >> 31;
+    bits.y = bits.y << 1 | float_bits(least) >> 31;
+  }
+  return bits;
+}
+
+// The bits of the points that the list has as pairs of the point that looks; in y not 0 if some are undecided. Where
+// `exact`, these are decided on the numbers as given.
+uvec2 listed_points(ListLook look, CellRow row, uint begin, uint end, bool all, bool exact) {
+  uvec2 bits = filtered(look, row, begin, end, list_system[look.system].tolerance);
+  bool given = row.image.x == 0 && row.image.y == 0 && row.image.z == 0;
+  if (all && given && look.self >= begin && look.self < end) {
+    uint others = ~(1u << (end - 1u - look.self));
+    bits = uvec2(bits.x & others, bits.y & others);
+  }
+  uint undecided = bits.y & ~bits.x;
+  uint listed = bits.x;
+  uint open = (all ? 0u : bits.x) | (exact ? undecided : 0u);
+  while (open != 0u) {
+    uint bit = open & (~open + 1u);
+    uint j = id[end - 1u - lowest_bit(open)];
+    open ^= bit;
+    bool is_pair = is_wanted(look.i, j, row.image);
+    if (exact && is_pair && (undecided & bit) != 0u) is_pair = is_within_reach(look.i, j, row.image);
+    listed = is_pair ? listed | bit : listed & ~bit;
+  }
+  return uvec2(listed, undecided);
 }

@@ -35,7 +35,7 @@ LISTS = [
     mutant("kernels leave ties out of inclusive lists", "common/shared/list_exact.h", "(side == 0 && inclusive)", "false", "ListExact"),
     mutant("bounds of extremes are not rounded outwards", "common/shared/list.h", "number_of(ordered + 1u)", "number_of(ordered)", "ListExact"),
     mutant("kernels' half lists have both images of a point", "shaders/list/list_row.glsl", "first > 0 || !has_flag(LIST_HALF)", "true", "Lists"),
-    mutant("kernels take wrapped shifts", "shaders/list/list_columns.glsl", "image_of_key(key, 0u) + mine.x - other.x", "image_of_key(key, 0u)", "Lists"),
-    mutant("rows longer than shared memory lose pairs", "shaders/list/list_fill.comp", "if (count > LIST_ROOM) {", "if (false) {", "Lists"),
-    mutant("kernels do not look into images", "shaders/list/list_scatter.comp", "if ((list_system[s].periodic >> k & 1u) == 0u) {", "if (true) {", "Lists"),
+    mutant("kernels take wrapped shifts", "shaders/list/list_order.comp", "image_x + mine.x - other.x", "image_x", "Lists"),
+    mutant("rows longer than shared memory lose pairs", "shaders/list/list_order.comp", "if (count > LIST_ROOM) {", "if (false) {", "Lists"),
+    mutant("kernels do not look into images", "shaders/list/list_look.comp", "if ((list_system[s].periodic >> k & 1u) == 0u) {", "if (true) {", "Lists"),
 ]

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// One group per LIST_ORDER_ROWS rows, or fewer of few: sorts the keys of each row, and writes its columns. If all rows
+// are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's place is
+// the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of keys.
+#include "cuda/list/list_length.cuh"
+
+namespace spherepair {
+
+__shared__ uint keys[LIST_ROOM];
+__shared__ uint ordered[LIST_ROOM];
+__shared__ uint row_begin[LIST_ORDER_ROWS + 1u];  // less that of the first
+__shared__ uint has_long_row;
+__shared__ uint found;
+
+constexpr uint KEYS_EACH = LIST_CHUNK / 32u;  // of a thread that sorts a chunk with 31 others
+
+// CUDA only from here: threads of a warp exchange values by themselves
+__device__ inline uint exchanged(uint value, uint mask) { return __shfl_xor_sync(~0u, value, mask); }
+// until here
+
+// What the keys of a row have in common.
+struct RowKeys {
+  ivec4 place;                // of the point or query
+  uint first_point, bits;     // of the system; of an image's number
+  ivec4 images;               // of the system, to either side
+  uint along_y, along_z, at;  // numbers of images; the number of (0, 0, 0)
+};
+__device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i, uint flags) {
+  RowKeys row;
+  row.place = buf.list_place[(flags & LIST_ASKS) != 0u ? buf.list_state[0].points + i : i];
+  uint s = uint(row.place.w);
+  row.first_point = buf.list_system[s].first_point;
+  row.bits = buf.list_system[s].key_bits;
+  row.images =
+      ivec4{int(buf.list_system[s].images[0]), int(buf.list_system[s].images[1]), int(buf.list_system[s].images[2]), 0};
+  row.along_y = 2u * uint(row.images.y) + 1u;
+  row.along_z = 2u * uint(row.images.z) + 1u;
+  row.at = (uint(row.images.x) * row.along_y + uint(row.images.y)) * row.along_z + uint(row.images.z);
+  return row;
+}
+
+__device__ inline ivec4 image_of(RowKeys row, uint number) {
+  if (number == row.at) return ivec4{0, 0, 0, 0};
+  uint x_and_y = number / row.along_z;
+  uint x = x_and_y / row.along_y;
+  return ivec4{int(x) - row.images.x, int(x_and_y - x * row.along_y) - row.images.y,
+               int(number - x_and_y * row.along_z) - row.images.z, 0};
+}
+
+__device__ inline void write_pair(const KernelBuffers& buf, RowKeys row, uint i, uint64_t at, uint key, uint flags) {
+  uint j = row.first_point + (key >> row.bits);
+  if ((flags & LIST_WANTS_SHIFTS) != 0u) {
+    ivec4 image = image_of(row, key & ((1u << row.bits) - 1u));
+    ivec4 other = buf.list_place[j];
+    buf.list_shift[3u * column_index(at)] = image.x + row.place.x - other.x;
+    buf.list_shift[3u * column_index(at) + 1u] = image.y + row.place.y - other.y;
+    buf.list_shift[3u * column_index(at) + 2u] = image.z + row.place.z - other.z;
+  }
+  if ((flags & LIST_WANTS_FIRST) != 0u) buf.list_first[column_index(at)] = i;
+  if ((flags & LIST_WANTS_SECOND) != 0u) buf.list_second[column_index(at)] = j;
+}
+
+// The row that has the k-th key of the group.
+__device__ inline uint row_of_key(uint k) {
+  uint row = 0u;
+  for (uint step = LIST_ORDER_ROWS / 2u; step != 0u; step /= 2u)
+    if (row_begin[row + step] <= k) row += step;
+  return row;
+}
+
+// Of rows from..to-1 of the group.
+__device__ inline void order_short_rows(const KernelBuffers& buf, uint first, uint from, uint to, uint flags) {
+  uint64_t begin = uint64_t(buf.list_begin[first]) + uint64_t(row_begin[from]);
+  uint before = row_begin[from];
+  uint total = row_begin[to] - before;
+  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK)
+    keys[k] = buf.list_keys[column_index(begin + uint64_t(k))];
+  __syncthreads();
+  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
+    uint row = row_of_key(before + k);
+    uint end = row_begin[row + 1u] - before;
+    uint key = keys[k];
+    uint place = row_begin[row] - before;
+    for (uint n = place; n < end; ++n) place += uint(keys[n] < key);
+    ordered[place] = key;
+  }
+  __syncthreads();
+  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
+    uint i = first + row_of_key(before + k);
+    write_pair(buf, keys_of_row(buf, i, flags), i, begin + uint64_t(k), ordered[k], flags);
+  }
+  __syncthreads();
+}
+
+// Bitonic; thread by thread the keys ascend.
+__device__ inline void sort_chunk(uint begin, uint count) {
+  uint lane = threadIdx.x % 32u;
+  uint own[KEYS_EACH];
+  for (uint r = 0u; r < KEYS_EACH; ++r) {
+    uint k = begin + r * 32u + lane;
+    own[r] = k < count ? keys[k] : ~0u;
+  }
+  __syncthreads();
+#pragma unroll  // CUDA only: so that `own` stays in registers
+  for (uint size = 2u; size <= LIST_CHUNK; size *= 2u) {
+#pragma unroll  // CUDA only: as above
+    for (uint stride = size / 2u; stride != 0u; stride /= 2u) {
+#pragma unroll  // CUDA only: as above
+      for (uint r = 0u; r < KEYS_EACH; ++r) {
+        bool ascends = ((lane * KEYS_EACH + r) & size) == 0u;
+        if (stride >= KEYS_EACH) {
+          uint other = exchanged(own[r], stride / KEYS_EACH);
+          bool first = (lane & (stride / KEYS_EACH)) == 0u;
+          own[r] = first == ascends ? min(own[r], other) : max(own[r], other);
+        } else if ((r & stride) == 0u) {
+          uint low = min(own[r], own[r + stride]);
+          uint high = max(own[r], own[r + stride]);
+          own[r] = ascends ? low : high;
+          own[r + stride] = ascends ? high : low;
+        }
+      }
+    }
+  }
+  for (uint r = 0u; r < KEYS_EACH; ++r)
+    if (begin < count) keys[begin + lane * KEYS_EACH + r] = own[r];
+}
+
+// How many keys of a sorted chunk are smaller.
+__device__ inline uint smaller_in_chunk(uint chunk, uint key) {
+  uint rank = 0u;
+  for (uint step = LIST_CHUNK / 2u; step != 0u; step /= 2u)
+    if (keys[chunk * LIST_CHUNK + rank + step - 1u] < key) rank += step;
+  return rank + uint(keys[chunk * LIST_CHUNK + rank] < key);
+}
+
+__device__ inline void write_sorted(const KernelBuffers& buf, uint i, uint64_t begin, uint count, uint flags) {
+  uint thread = threadIdx.x;
+  uint chunks = (count + LIST_CHUNK - 1u) / LIST_CHUNK;
+  for (uint chunk = 0u; chunk < chunks; chunk += LIST_ORDER_BLOCK / 32u)
+    sort_chunk((chunk + thread / 32u) * LIST_CHUNK, count);
+  __syncthreads();
+  for (uint k = thread; k < count; k += LIST_ORDER_BLOCK) {
+    uint rank = k % LIST_CHUNK;
+    for (uint chunk = 0u; chunk < chunks; ++chunk)
+      if (chunk != k / LIST_CHUNK) rank += smaller_in_chunk(chunk, keys[k]);
+    ordered[rank] = keys[k];
+  }
+  __syncthreads();
+  RowKeys row = keys_of_row(buf, i, flags);
+  for (uint k = thread; k < count; k += LIST_ORDER_BLOCK)
+    write_pair(buf, row, i, begin + uint64_t(k), ordered[k], flags);
+  __syncthreads();
+}
+
+// Keeps the keys from low to below high, of which there is room for LIST_ROOM; the number of all.
+__device__ inline uint keys_between(const KernelBuffers& buf, uint64_t begin, uint length, uint64_t low,
+                                    uint64_t high) {
+  __syncthreads();
+  if (threadIdx.x == 0u) found = 0u;
+  __syncthreads();
+  for (uint k = threadIdx.x; k < length; k += LIST_ORDER_BLOCK) {
+    uint key = buf.list_keys[column_index(begin + uint64_t(k))];
+    if (uint64_t(key) < low || uint64_t(key) >= high) continue;
+    uint n = atomicAdd(&found, 1u);
+    if (n < LIST_ROOM) keys[n] = key;
+  }
+  __syncthreads();
+  return found;
+}
+
+__device__ inline void order_long_row(const KernelBuffers& buf, uint i, uint flags) {
+  uint64_t row = uint64_t(buf.list_begin[i]);
+  uint length = buf.row_length[i];
+  if (length <= LIST_ROOM) {
+    for (uint k = threadIdx.x; k < length; k += LIST_ORDER_BLOCK)
+      keys[k] = buf.list_keys[column_index(row + uint64_t(k))];
+    __syncthreads();
+    write_sorted(buf, i, row, length, flags);
+    return;
+  }
+  uint64_t written = uint64_t(0u);
+  uint64_t low = uint64_t(0u);
+  uint64_t step = uint64_t(1u) << 32;
+  while (written < uint64_t(length)) {
+    uint count = keys_between(buf, row, length, low, low + step);
+    if (count > LIST_ROOM) {
+      step = step >> 1;
+      continue;
+    }
+    write_sorted(buf, i, row + written, count, flags);
+    written += uint64_t(count);
+    low += step;
+    if (count < LIST_ROOM / 4u) step = step << 1;
+  }
+}
+
+__global__ void __launch_bounds__(LIST_ORDER_BLOCK) list_order(Params p, KernelBuffers buf) {
+  uint looking = buf.list_state[0].looking;
+  uint first = group_index(p) << buf.list_state[0].order_bits;
+  if (first >= looking || !is_right(buf)) return;
+  uint rows = min(1u << buf.list_state[0].order_bits, looking - first);
+  if (buf.list_begin[first + rows] > buf.list_state[0].room) return;
+  uint thread = threadIdx.x;
+  if (thread == 0u) has_long_row = 0u;
+  __syncthreads();
+  if (thread <= LIST_ORDER_ROWS)
+    row_begin[thread] = uint(buf.list_begin[first + min(thread, rows)] - buf.list_begin[first]);
+  if (thread < rows && buf.row_length[first + thread] > LIST_RANKED) atomicAdd(&has_long_row, 1u);
+  __syncthreads();
+  uint flags = buf.list_state[0].flags;
+  if (has_long_row == 0u) {
+    uint half_group = LIST_ORDER_ROWS / 2u;
+    uint middle = row_begin[LIST_ORDER_ROWS] > LIST_ROOM ? half_group : LIST_ORDER_ROWS;
+    order_short_rows(buf, first, 0u, middle, flags);
+    if (middle == half_group) order_short_rows(buf, first, middle, LIST_ORDER_ROWS, flags);
+  } else {
+    for (uint row = 0u; row < rows; ++row) order_long_row(buf, first + row, flags);
+  }
+}
+
+Entry list_order_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_order); }
+
+}  // namespace spherepair
