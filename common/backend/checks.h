@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a backend refuses before it begins: options that exclude each other, or that it lacks.
+// Checks that refuse options which exclude each other or which a backend lacks.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -9,14 +9,14 @@ namespace spherepair {
 // Throws std::invalid_argument for options that exclude each other.
 void check_collide(const CollideOptions& options);
 
-// Throws std::invalid_argument naming the API option that is wanted and not offered; `thrust`: the sort of a
-// library is.
+// Throws std::invalid_argument that names an API option which `options` asks for and `offered` lacks. thrust: whether
+// the backend has the radix sort of Thrust.
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust);
 
-// Throws std::invalid_argument for a method that needs tensor cores, which the backend does not offer.
+// Throws std::invalid_argument if the method needs tensor cores and the backend does not offer them.
 void refuse_tensor(const std::string& backend, const CollideOptions& options, bool offered);
 
-// Throws std::invalid_argument unless each of n spheres has an entry of the palette.
+// Throws std::invalid_argument unless `classes` has n entries, each an index into the palette.
 void check_classes(const std::string& backend, std::span<const uint> classes, uint64_t n);
 
 // Throws BackendError when `anchored` has done as many steps as it can count.

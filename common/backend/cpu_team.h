@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The threads that share the CPU's work: OpenMP's.
+// OpenMP threads that share the CPU's work.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace spherepair {
 
-// Threads for work of so many shares: one or all. A team of some in between would be dear: OpenMP's runtime (GCC's)
-// ends the threads that it leaves out, and starts them anew for the next larger team.
+// Returns the number of threads for so many shares of work: one or all. Teams of changing size are slow: GCC's OpenMP
+// runtime ends the threads that a smaller team leaves out, and starts new ones for the next larger team.
 inline int team_of(uint64_t shares, int threads) { return shares < 2 ? 1 : threads; }
 
-// No exception may leave a parallel region. What can throw there, be it for want of memory, runs through here; behind
-// the region the error of the least share is thrown again, so that it is the same on any number of threads.
+// Carries exceptions out of a parallel region, which none may leave. run() catches what its work throws; rethrow(),
+// after the region, throws the error of the lowest share, so that it is the same for any number of threads.
 class TeamErrors {
  public:
   template <typename Work>

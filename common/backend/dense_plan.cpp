@@ -15,8 +15,8 @@ double cells_along(double length, double side) { return std::floor(length / side
 
 uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
 
-// The smallest side whose cells stay within the limit and are longer than the largest diameter, so that a sphere's
-// reach is less than a cell. At worst one cell holds everything.
+// Returns the smallest side, in metres, for which the number of cells stays within the limit and a cell is longer than
+// the largest diameter, so that a sphere reaches less than one cell. If there is none, one cell holds everything.
 double dense_side(const Extent& extent, uint64_t n) {
   const double limit = double(slot_limit(n));
   const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});
@@ -34,7 +34,7 @@ double dense_side(const Extent& extent, uint64_t n) {
 
 }  // namespace
 
-// Of the finite numbers: spheres may have left float32, and the others' cells are no worse for that.
+// Ignores numbers that are not finite: spheres may have left float32, which must not spoil the cells of the others.
 Extent extent_of(const std::vector<vec4>& spheres) {
   constexpr float most = std::numeric_limits<float>::max();
   const auto widen = [](float& low, float& high, float x) {

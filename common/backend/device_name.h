@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of several GPUs is meant.
+// The name of a GPU, to choose one of several.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace spherepair {
 
-// A number counted from 0, or a UUID as nvidia-smi -L prints it; neither for an empty text.
+// A GPU's number, counted from 0, or its UUID as nvidia-smi -L prints it. An empty text gives neither.
 struct DeviceName {
   std::optional<uint> number;
   std::string uuid;  // 32 hex digits, as in BackendInfo
 
-  // Throws std::invalid_argument that says what was expected.
+  // Throws std::invalid_argument that says which form was expected.
   explicit DeviceName(const std::string& text);
   bool empty() const { return !number && uuid.empty(); }
 };

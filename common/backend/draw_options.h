@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How an image is drawn, and what of it was left out.
+// The options of an image, and counts of what was drawn and what was culled.
 #pragma once
 
 #include <compare>
@@ -12,22 +12,22 @@
 
 namespace spherepair {
 
-// compute: the rasteriser that CPU, GLSL and CUDA mirror: the exact sphere. The others go through OpenGL's pipeline.
+// `compute` is the rasteriser that CPU, GLSL and CUDA share; it draws exact spheres. All others use OpenGL's pipeline.
 enum class DrawMethod {
   compute,
-  mesh_each,  // the paper's sphere of 80 triangles, one draw a sphere
-  mesh,       // the same with one instanced draw for all
-  quadric,    // glutSolidSphere's sphere of 10 slices and 10 stacks, one draw a sphere: what the paper compares with
-  points,     // a disc a sphere
+  mesh_each,  // the paper's sphere of 80 triangles, one draw call a sphere
+  mesh,       // the same, one instanced draw call for all
+  quadric,    // glutSolidSphere's sphere, 10 slices and 10 stacks, one draw call a sphere: the paper's comparison
+  points,     // one disc a sphere
   impostor    // the exact sphere on two triangles
 };
 const char* draw_method_name(DrawMethod method);
 DrawMethod draw_method_from_name(const std::string& name);  // throws std::invalid_argument with the known names
 std::span<const DrawMethod> all_draw_methods();
 
-// How spheres that are not OpenGL's own come to its pipeline.
+// How spheres that are not OpenGL's own reach its pipeline.
 enum class Transfer {
-  host,        // read back, written again by OpenGL
+  host,        // read to the host, uploaded again through OpenGL
   registered,  // CUDA only: copied into OpenGL's buffers, which CUDA maps once a frame, both in one call
   imported     // CUDA only: copied into memory of CUDA's that OpenGL has imported for good
 };
@@ -35,27 +35,27 @@ const char* transfer_name(Transfer way);
 
 struct DrawOptions {
   DrawMethod method = DrawMethod::compute;
-  std::optional<Transfer> transfer = {};  // through OpenGL's pipeline; none: the fastest that the driver has
+  std::optional<Transfer> transfer = {};  // to OpenGL's pipeline; none: the driver's fastest
 
-  // What the rasteriser may leave out; never changes a bit of the image. Consecutive spheres of the cell order (of
-  // the scene's, without one) form clusters, which are culled as a whole.
+  // What the rasteriser may skip; never changes a bit of the image. Clusters are consecutive spheres in cell order (or
+  // in the scene's order, if there is no cell order); each is culled as a whole.
   bool frustum_culling = true;        // clusters out of view
-  bool occlusion_culling = true;      // clusters behind what is drawn already; implies the above
-  bool reuse_unchanged = true;        // the whole image, when nothing has changed since the last
-  bool skip_tile_launches = true;     // the launches for large spheres, where none as uploaded can look large
-  bool overlap = true;                // GLSL: few spheres are drawn while the last image is still resolved
-  uint64_t clusters_from = 1u << 17;  // clusters are made of so many spheres or more
+  bool occlusion_culling = true;      // clusters behind what is drawn already; includes frustum culling
+  bool reuse_unchanged = true;        // the whole image, if nothing has changed since the last one
+  bool skip_tile_launches = true;     // the launches for large spheres, if no uploaded sphere can look large
+  bool overlap = true;                // GLSL: few spheres are drawn while the previous image is still resolved
+  uint64_t clusters_from = 1u << 17;  // number of spheres from which on there are clusters
 
-  // Of so many spheres or more, clusters are tested before their spheres; of fewer that costs more than it saves.
+  // From this many spheres on, clusters are tested before their spheres; for fewer the test costs more than it saves.
   uint64_t cull_from = 1u << 21;
 
-  // Of so many spheres or more, clusters far behind what the last images showed wait until the near ones are drawn.
+  // From this many spheres on, clusters far behind the surfaces of the last images wait until the near ones are drawn.
   uint64_t defer_from = 1u << 22;
 
-  // Of so many spheres or more, BUNDLE clusters in a row are tested as a whole first.
+  // From this many spheres on, bundles of BUNDLE consecutive clusters are tested first.
   uint64_t bundles_from = 1u << 25;
 
-  // Of fewer spheres, which then are large on the screen, each is drawn by LANES threads; without clusters only.
+  // Below this many spheres, which then look large, LANES threads draw each sphere; only without clusters.
   uint64_t share_below = 1u << 17;
 
   bool count = false;         // fill all of DrawStatistics, which costs an atomic operation a sphere
@@ -64,17 +64,17 @@ struct DrawOptions {
   uint lanes(uint64_t n) const { return n < share_below ? LANES : 1; }
 };
 
-// Of one draw(), in spheres; `drawn` are those with a pixel's centre in their box, whether seen in the end or
-// not.
+// Counts of one draw(), in spheres. `drawn` spheres have a pixel's centre in their box of pixels, whether or not they
+// are visible in the end.
 struct DrawStatistics {
-  uint64_t drawn = 0, unseen = 0;  // out of view, or between the centres of the pixels
-  uint64_t large = 0, tiles = 0;   // of those drawn, the ones cut into tiles; their tiles
+  uint64_t drawn = 0, unseen = 0;  // unseen: out of view, or between the centres of the pixels
+  uint64_t large = 0, tiles = 0;   // large: drawn spheres that were cut into tiles; tiles: how many
   uint64_t hidden = 0;             // behind what is drawn already
-  uint64_t undrawable = 0;         // numbers beyond those that can be drawn (draw.h, in_camera)
-  uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // their spheres are in none of the above
-  uint64_t clusters_deferred = 0;  // that waited for others to be drawn, whatever became of them then
-  uint64_t bundles_left_out = 0;   // of clusters that are hidden, out of view or deferred together
-  uint64_t images_kept = 0;        // calls of draw() since upload() that had nothing to do
+  uint64_t undrawable = 0;         // numbers too large or too small to draw (draw.h, in_camera)
+  uint64_t clusters = 0, clusters_outside = 0, clusters_hidden = 0;  // spheres in culled clusters count nowhere above
+  uint64_t clusters_deferred = 0;                                    // clusters that waited for nearer ones to be drawn
+  uint64_t bundles_left_out = 0;  // bundles whose clusters were culled or deferred as a whole
+  uint64_t images_kept = 0;       // calls of draw() since upload() that kept the image
 };
 
 }  // namespace spherepair

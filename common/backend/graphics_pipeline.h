@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing through OpenGL's pipeline. Spheres that are not OpenGL's own are transferred to it first.
+// Draws through OpenGL's pipeline. Spheres that are not OpenGL's own are transferred to it first.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace spherepair {
 
-// Where a backend has its spheres, by index: addresses in the host's memory or in CUDA's, names of OpenGL's own
-// buffers, handles of Vulkan's.
+// Where a backend keeps its spheres, in index order. Handles are addresses in host or CUDA memory, names of OpenGL's
+// own buffers, or handles of Vulkan's.
 struct SphereArrays {
   uint64_t positions;  // vec4[size]
-  uint64_t counts;     // uint[size]: what chooses the colours, of contacts unless View::colour_by asks for others
+  uint64_t counts;     // uint[size]: chooses the colours; contacts unless View::colour_by says otherwise
   uint64_t size;
 };
 
@@ -30,29 +30,29 @@ class GraphicsPipeline {
  public:
   virtual ~GraphicsPipeline() = default;
 
-  // Enqueues an image. way: how the spheres are transferred; none: the fastest way that the driver has.
+  // Enqueues an image. way: how the spheres are transferred; none: the driver's fastest.
   virtual void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) = 0;
   virtual std::vector<uint> image() = 0;    // of the last draw, in the format of Backend::image()
-  virtual std::vector<float> depths() = 0;  // likewise, of Backend::depths()
-  virtual void finish() = 0;                // waits for the images that were drawn
+  virtual std::vector<float> depths() = 0;  // of the last draw, in the format of Backend::depths()
+  virtual void finish() = 0;                // waits until the images are drawn
   virtual Preparations preparations() const = 0;
 
-  // The first part of draw(). On return OpenGL has the spheres and no longer uses those before.
+  // Does the first part of draw(). On return OpenGL has its copy and no longer reads the previous one.
   virtual void transfer(const SphereArrays& spheres, std::optional<Transfer> way) = 0;
-  virtual std::optional<Transfer> taken() const { return {}; }  // by the last transfer; none: there is no need of one
+  virtual std::optional<Transfer> taken() const { return {}; }  // by the last transfer; none: none was needed
 
-  // Copies an image into a texture of OpenOptions::window's context: the last one drawn, or the backend's own pixels (a
-  // handle as in SphereArrays). False if the pipeline has a context of its own.
+  // Copy an image into a texture of OpenOptions::window's context: the last one drawn, or the backend's own pixels (a
+  // handle as in SphereArrays). They return false if the pipeline has a context of its own.
   virtual bool show_drawn(uint texture) = 0;
   virtual bool show_pixels(uint64_t pixels, uvec2 size, uint texture) = 0;
 };
 
 struct PipelineOpener {
   std::function<std::unique_ptr<GraphicsPipeline>()> open = {};  // throws BackendError with what is missing
-  std::vector<Transfer> ways = {};                               // how spheres reach OpenGL, the fastest last
+  std::vector<Transfer> ways = {};                               // how spheres can reach OpenGL, the fastest last
 };
 
-// Opened when it is first used.
+// A pipeline that opens on first use.
 class LazyPipeline {
  public:
   explicit LazyPipeline(PipelineOpener opener) : opener_(std::move(opener)) {}

@@ -17,12 +17,12 @@ namespace {
 
 constexpr uint64_t sample_size = 1 << 16;
 constexpr uint64_t spheres_per_bucket =
-    SORT_EACH * SORT_BLOCK * 5 / 6;  // on average, at most: few then have more than a group's threads hold
+    SORT_EACH * SORT_BLOCK * 5 / 6;  // upper limit of the mean: few buckets then exceed a group's threads
 static_assert(SORT_EACH * SORT_BLOCK <= CELLS_PER_BUCKET);
-constexpr float many_octaves = 4;  // largest over smallest radius from which on levels pay
+constexpr float many_octaves = 4;  // ratio of the largest to the smallest radius from which on levels pay
 
-// The median coordinate of a sample. As the plan's origin it puts the finest float32 numbers where most spheres are,
-// whatever the outliers.
+// Returns the median coordinate of a sample. As the plan's origin it puts the finest float32 numbers where most spheres
+// are, whatever the outliers.
 float middle_of(const std::vector<vec4>& spheres, float vec4::*axis) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), 1023);
   std::vector<float> sample(m);
@@ -60,7 +60,7 @@ GridPlan hashed_plan(const std::vector<vec4>& spheres, const Extent& extent) {
   return plan;
 }
 
-// Mean number of other spheres in a sphere's slot, for n spheres like these; estimated from a sample.
+// Returns the mean number of other spheres in a sphere's slot, for n spheres distributed like these; from a sample.
 double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint64_t n) {
   const uint64_t m = std::min<uint64_t>(spheres.size(), sample_size);
   if (m < 2) return 0;
@@ -76,12 +76,12 @@ double occupancy_of(const std::vector<vec4>& spheres, const GridPlan& plan, uint
   return 2 * pairs / double(m) * double(n - 1) / double(m - 1);
 }
 
-// Both plans, and which of them is taken, for n spheres like these.
+// Chooses between both plans for n spheres distributed like these.
 GridPlans choose(const GridPlan& dense, const GridPlan& hashed, const std::vector<vec4>& spheres, uint64_t n) {
   GridPlans plans{.dense = dense, .hashed = hashed, .chosen = Cells::dense};
   plans.dense_occupancy = occupancy_of(spheres, dense, n);
   plans.hashed_occupancy = occupancy_of(spheres, hashed, n);
-  // A sphere looks into the cells of every level, and a hashed cell costs some four times a dense one.
+  // Each sphere searches the cells of every level, and a hashed cell costs about four times as much as a dense one.
   if (plans.dense_occupancy > 4 * std::popcount(hashed.levels) * (plans.hashed_occupancy + 1))
     plans.chosen = Cells::hashed;
   plans.reason =

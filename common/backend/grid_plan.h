@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which cells a scene gets: dense or hashed, how large, how many levels. The choice decides the time, never the set.
+// Chooses the cells of a scene: dense or hashed, how large, how many levels. This decides the time, never the set.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -8,7 +8,7 @@ namespace spherepair {
 
 enum class Cells { automatic, dense, hashed };
 
-// Cells of a table are at most this many times the spheres, and at least least_slots.
+// A table has at most this many cells a sphere, but may always have least_slots.
 constexpr uint64_t slots_per_sphere = 2;
 constexpr uint64_t least_slots = 1024;
 
@@ -16,7 +16,7 @@ struct GridPlan {
   Cells cells = Cells::dense;
   float origin[3] = {0, 0, 0};  // metres
   float side = 1;               // of a cell of level 0, metres
-  float largest_radius = 0;     // of level 0
+  float largest_radius = 0;     // of level 0, metres
   bool equal_radii = true;
   uint size[3] = {1, 1, 1};  // cells of level 0 along each axis; dense only
   uint slots = 1;            // of the table
@@ -25,16 +25,16 @@ struct GridPlan {
   uint levels = 1;  // bit k is set when level k has spheres
 };
 
-// Both kinds for a scene, and which of them Cells::automatic takes, by the extent, the radii and a sample of the
-// places.
+// The plans for dense and for hashed cells, and the one that Cells::automatic takes. They depend on the extent, the
+// radii and a sample of the positions.
 struct GridPlans {
   GridPlan dense, hashed;
-  GridPlan light = {};  // dense, with a table for each level where radii differ much: for draw_light, not for searches
+  GridPlan light = {};  // dense, with one table a level if radii differ much: only for draw_light
   float smallest_radius = 0;
   std::vector<uint> octaves = {};  // of the radii, each once
   Cells chosen = Cells::dense;
-  double dense_occupancy = 0, hashed_occupancy = 0;  // other spheres in a sphere's cell, on average
-  std::string reason = {};                           // one sentence: what was chosen, from which figures
+  double dense_occupancy = 0, hashed_occupancy = 0;  // mean number of other spheres in a sphere's cell
+  std::string reason = {};                           // one sentence: the choice and its figures
 
   const GridPlan& plan(Cells wanted) const {
     return (wanted == Cells::automatic ? chosen : wanted) == Cells::dense ? dense : hashed;
@@ -44,17 +44,18 @@ struct GridPlans {
   }
 };
 GridPlans plan_grids(const std::vector<vec4>& spheres);
-// The same for n spheres of the same radii that have moved, of which these are a sample from all over the scene. Those
-// beyond its extent will stand in the cells along the border.
+// Plans for n spheres of the same radii that have moved; `sample` holds some of them from all over the scene. Spheres
+// outside the sample's extent go into the cells along the border.
 GridPlans plan_grids_anew(const GridPlans& before, const std::vector<vec4>& sample, uint64_t n);
 inline GridPlan plan_grid(const Scene& scene, Cells wanted) { return plan_grids(scene.positions).plan(wanted); }
 
-// A table's slots in buckets, ranges of 2^shift slots, and these, where one group of split_tiles cannot tell them apart
-// or there are more tiles than a group of grid_sort has threads, in ranges of 2^parent_shift slots, which one group of
-// grid_split can tell apart. A bucket has CELLS_PER_BUCKET slots, or fewer where that many hold more spheres on average
-// than grid_sort should have, or make fewer buckets than these.
+// How the sort groups a table's slots. A bucket is a range of 2^shift slots: CELLS_PER_BUCKET, or fewer if a bucket
+// would hold too many spheres on average for grid_sort, or if there would be fewer than least_buckets. Buckets are
+// split in one pass by split_tiles if one of its groups can tell them apart and a group of grid_sort has a thread for
+// each tile. Otherwise they are first split into parents, ranges of 2^parent_shift slots, whose buckets one group of
+// grid_split can tell apart.
 struct BucketPlan {
-  uint shift, buckets, parent_shift;  // ONE_PARENT: one split, by tiles
+  uint shift, buckets, parent_shift;  // parent_shift: ONE_PARENT if split_tiles splits in one pass
 };
 BucketPlan plan_buckets(uint64_t spheres, uint slots, uint least_buckets);
 

@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Small requests are not worth asking for.
+// Small requests skip the question.
 bool fits_in_memory(uint64_t bytes) {
   constexpr uint64_t small = 64 << 20;
   if (bytes <= small) return true;
@@ -23,7 +23,7 @@ bool fits_in_memory(uint64_t bytes) {
 }
 
 void fail_for_list(uint64_t pairs) {
-  constexpr double bytes_per_pair = 24;  // as threads find them, split by sphere, in order
+  constexpr double bytes_per_pair = 24;  // a pair as threads find it, split by sphere, and in order
   throw BackendError(
       fmt::format("cpu: {} pairs collide, and a list of them takes about {:.1f} GB, more than is free; ask for the "
                   "numbers without the list, or for fewer spheres",

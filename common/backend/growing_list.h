@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lists of pairs that threads fill: where memory ends they stop, since no exception may leave a parallel region.
+// Lists of pairs that threads fill. A list that finds no memory stops growing, as no exception may leave a parallel
+// region.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +12,10 @@
 
 namespace spherepair {
 
-// Whether the system can hand out so much more without ending a process; a system that does not tell always can.
+// Whether the system has this many bytes free without ending a process; true if the system does not say.
 bool fits_in_memory(uint64_t bytes);
 
-// Throws BackendError: memory has no room for the list of so many colliding pairs.
+// Throws BackendError: memory has no room for a list of so many colliding pairs.
 [[noreturn]] void fail_for_list(uint64_t pairs);
 
 template <typename T>
@@ -29,7 +30,7 @@ class GrowingList {
     values_.clear();
     complete_ = true;
   }
-  bool complete() const { return complete_; }  // false: nothing of it is there
+  bool complete() const { return complete_; }  // false: memory ran out, and the list is empty
   std::span<const T> values() const { return values_; }
 
  private:
@@ -50,8 +51,8 @@ class GrowingList {
   bool complete_ = true;
 };
 
-// Runs join(), which copies the lists of all `pairs` that threads found. Throws BackendError when there is no room for
-// that, or was none for the lists.
+// Runs join(), which copies the lists of all `pairs` that the threads found. Throws BackendError if memory has no room
+// for the copies, or had none for the lists.
 template <typename T, typename Join>
 void join_lists(std::span<const GrowingList<T>> lists, uint64_t pairs, uint64_t bytes_of_copies, Join join) {
   const bool complete = std::ranges::all_of(lists, [](const GrowingList<T>& list) { return list.complete(); });
@@ -63,7 +64,7 @@ void join_lists(std::span<const GrowingList<T>> lists, uint64_t pairs, uint64_t 
   }
 }
 
-// All of what threads found, in order.
+// Returns all values that the threads found, sorted.
 template <typename T>
 std::vector<T> joined(std::span<const GrowingList<T>> lists, uint64_t pairs) {
   std::vector<T> all;

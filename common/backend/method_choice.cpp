@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-// 0: cells are dense.
+// Returns the number of levels of hashed cells; 0 if cells are dense.
 uint hashed_levels(const GridPlan& plan) { return plan.cells == Cells::hashed ? uint(std::popcount(plan.levels)) : 0; }
 
 Method all_pairs(const BackendInfo& info, uint64_t n, const GridPlans& plans) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of methods, as options and records have them.
+// Names of methods, as options and records write them.
 #include <algorithm>
 
 #include "common/backend/backend.h"

@@ -7,12 +7,12 @@
 namespace spherepair {
 namespace {
 
-constexpr double cells_free = 4;         // that spheres may go ...
-constexpr double share_free = 1.0 / 16;  // ... or this share of the grid: few of them then stand beyond its border
+constexpr double cells_free = 4;         // cells that spheres may travel ...
+constexpr double share_free = 1.0 / 16;  // ... or this share of the longest axis: few of them then leave the grid
 constexpr double most_patience = 64;
-constexpr double share_outside = 1.0 / 64;  // of the spheres, from which on new cells pay
+constexpr double share_outside = 1.0 / 64;  // share of spheres outside the grid from which on new cells pay
 
-// Fastest speed along any axis, now or later: a fall from where the highest sphere stands adds to it.
+// Bounds the speed along any axis, now and later: a fall from the height of the highest sphere may add to it.
 double speed_bound(const Scene& scene) {
   double speed = 0, highest = scene.plane;
   for (const vec4& v : scene.velocities)
@@ -25,7 +25,7 @@ double longest_axis(const GridPlan& plan) {
   return double(plan.side) * std::max({plan.size[0], plan.size[1], plan.size[2]});
 }
 
-// Whether plans put spheres into the same cells but for a fraction of them.
+// Whether both plans put all but a few spheres into the same cells.
 bool alike(const GridPlan& a, const GridPlan& b) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(double(a.origin[axis]) - double(b.origin[axis])) > 2 * double(a.side)) return false;

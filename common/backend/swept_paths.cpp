@@ -17,7 +17,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t few = 4096;  // spheres for which threads cost more than they save
+constexpr uint64_t few = 4096;  // up to this many spheres, threads cost more than they save
 
 bool finite(const vec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
@@ -34,7 +34,8 @@ void find_equal_radii(Scene& scene) {
       std::ranges::all_of(scene.positions, [&](const vec4& s) { return s.w == scene.positions.front().w; });
 }
 
-// The speed along y of a step that these methods repeat with the velocity reversed where it ends below the plane.
+// Returns the speed along y on the step's path. Where the step would end below the plane, these methods repeat it with
+// the velocity reversed.
 template <typename Real>
 float straight_speed(MotionMethod method, float radius, Real y, Real v, MotionParams m) {
   const Real dt = widened(m.dt, y);
@@ -50,7 +51,7 @@ bool ends_above(float radius, Real y, Real v, MotionParams m) {
   return !below_plane(glide(Moving<Real>{zero, y, zero, zero, v, zero, radius}, m).y, radius, m.plane);
 }
 
-// How a path that bounces goes on, of a sphere that is at this height and speed along y.
+// Says how a path that bounces continues, for a sphere at this height and speed along y.
 template <typename Real>
 float kind_of_impact(MotionMethod method, float radius, Real y, Real v, MotionParams m) {
   if (ends_above(radius, y, v, m)) return PATH_FLIGHT;
@@ -68,7 +69,8 @@ float kind_of_anchor(const MotionState& state, uint64_t i, Real y, Real v, Motio
   return above && ends_above(start.w, y, v, m) ? PATH_FLIGHT : -nearest(speed);
 }
 
-// Momenta in the state are those half a step ago; each gets the impulses of the step's begin, as leapfrog adds them.
+// Returns the velocities of the next drift. The state's momenta are half a step old; each gets the impulses at the
+// start of the step, as leapfrog adds them.
 std::vector<vec4> drift_velocities(const Backend::State& state, const ContactParams& c, const PairLister& list) {
   const std::vector<vec4>& at = state.positions;
   const uint64_t n = at.size();
@@ -91,9 +93,9 @@ std::vector<vec4> drift_velocities(const Backend::State& state, const ContactPar
   return velocities;
 }
 
-// The sphere around the box that holds the path. 2^-17 covers rounding here and what touch_within adds: 2^-24 of
-// reaches, and at most 2^-20 of both lengths and reaches. Paths of methods that bounce are taken as they are; those of
-// the others in the frame of swept.h, where they are straight.
+// Returns the sphere around the box that holds the path. 2^-17 covers rounding here and what touch_within adds: 2^-24
+// of reaches, and at most 2^-20 of both lengths and reaches. Paths of methods that bounce are taken as they are, other
+// paths in the frame of swept.h, in which they are straight.
 vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
   const double start[3] = {double(s.x), double(s.y), double(s.z)}, speed[3] = {double(v.x), double(v.y), double(v.z)};
   const double seconds = double(m.dt), pull = v.w == PATH_STRAIGHT ? 0 : gravity_of(m);

@@ -3,11 +3,11 @@
 
 namespace spherepair {
 
-// A window's OpenGL 4.5 core context, in which everything that draws can live, so that images stay on the GPU.
+// A window's OpenGL 4.5 core context. Everything that draws can use it, so that images stay on the GPU.
 class WindowContext {
  public:
   virtual ~WindowContext() = default;
-  virtual void make_current() = 0;  // nothing where it is already
+  virtual void make_current() = 0;  // does nothing if it is current already
 };
 
 }  // namespace spherepair
