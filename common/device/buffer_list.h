@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every buffer of layout.h, by slot: its type and name in kernels, and what messages call it. `three`: one each for x,
-// y and z. Some kernels see another buffer in a slot; see Launch.
+// A row for every buffer of layout.h, in the order of the slots: its type and name in kernels, and its name in
+// messages. `three` stands for one buffer each for x, y and z. A Launch can show a kernel another buffer in a slot.
 #pragma once
 
 struct ListState;  // of common/shared/list.h

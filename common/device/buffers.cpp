@@ -21,7 +21,7 @@ static_assert(std::size(slot_names) == SLOT_TOTAL);
 
 }  // namespace
 
-// How many spheres fit into one buffer when these take so many bytes.
+// Returns how many spheres fit into one buffer, given that the current number takes this many bytes.
 uint64_t Buffers::fitting(uint64_t bytes) const {
   const uint64_t room = (device_.capabilities().largest_buffer - guard_words * sizeof(uint)) / 16 * 16;
   return uint64_t(double(room) / double(bytes) * double(spheres_));
@@ -38,7 +38,7 @@ void Buffers::resize(uint slot, uint64_t bytes) {
         fitting(bytes)));
   }
   if (memory_[slot].bytes == bytes) return;
-  handles_[slot] = 0;  // none is there should this fail
+  handles_[slot] = 0;  // stays 0 if the allocation fails
   Memory memory = device_.allocate(whole, std::exchange(memory_[slot], {}));
   memory.bytes = bytes;
   share(slot, memory);
@@ -46,7 +46,7 @@ void Buffers::resize(uint slot, uint64_t bytes) {
   write(slot, guard.data(), bytes, guard_words * sizeof(uint));
 }
 
-// Launches that are held back still use the memory.
+// Flushes first, because launches that are held back still use the replaced memory.
 void Buffers::share(uint slot, const Memory& memory) {
   if (memory_[slot].owner && memory_[slot].owner != memory.owner) device_.flush();
   memory_[slot] = memory;
@@ -56,7 +56,7 @@ void Buffers::share(uint slot, const Memory& memory) {
 Buffers::~Buffers() {
   try {
     forget();
-  } catch (const BackendError&) {  // of a device that has failed, which has said so before
+  } catch (const BackendError&) {  // the device has failed and reported it before
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The buffers that the kernels of one simulation see, by slot (layout.h), with guard words behind each.
+// The buffers that the kernels of one simulation see, one for each slot (layout.h), with guard words at their ends.
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@ class Buffers {
   Buffers(const Buffers&) = delete;
   Buffers& operator=(const Buffers&) = delete;
 
-  // For so many spheres, in messages.
+  // Sets the number of spheres, for error messages.
   void set_spheres(uint64_t n) { spheres_ = n; }
 
-  // So many bytes at a slot; what was there stays only where the size is the same. Throws BackendError when a kernel
-  // of the device cannot reach as many, or memory has no room.
+  // Gives the slot a buffer of this many bytes. The contents survive only if the size stays the same. Throws
+  // BackendError if a kernel cannot reach a buffer of this size or memory has no room.
   void resize(uint slot, uint64_t bytes);
-  bool grow(uint slot, uint64_t bytes);  // where it has fewer; true: what was there is lost
+  bool grow(uint slot, uint64_t bytes);  // resizes a smaller buffer; true: its contents are lost
   uint64_t bytes(uint slot) const { return memory_[slot].bytes; }
   const BufferHandles& handles() const { return handles_; }
 
-  // A buffer that another owns, too; an empty one leaves the slot without any.
+  // share() puts a buffer into the slot that may have other owners, too; an empty Memory empties the slot.
   const Memory& memory(uint slot) const { return memory_[slot]; }
   void share(uint slot, const Memory& memory);
-  void forget();  // leaves all slots without any
+  void forget();  // empties all slots
 
   void write(uint slot, const void* data, uint64_t offset, uint64_t bytes) {
     device_.write(memory_[slot], data, offset, bytes);
@@ -57,8 +57,8 @@ class Buffers {
 
   Device& device_;
   uint64_t spheres_ = 0;
-  std::array<Memory, SLOT_TOTAL> memory_;  // whose bytes are without the guard words
-  BufferHandles handles_{};                // of the same
+  std::array<Memory, SLOT_TOTAL> memory_;  // sizes without the guard words
+  BufferHandles handles_{};                // handles of memory_
 };
 
 }  // namespace spherepair

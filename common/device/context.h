@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the components of one simulation share: the device, their buffers, and the parameters of the current step.
+// State that the components of one simulation share: the device, their buffers, and the parameters of the current step.
 #pragma once
 
 #include "common/device/buffers.h"
@@ -7,7 +7,7 @@
 
 namespace spherepair {
 
-// Pairs i < j in any order, in memory that the list shares with the search that made it.
+// Pairs i < j in any order. The memory belongs to the search that made the list, too.
 struct PairList {
   Memory pairs;  // uvec2[count]
   uint count = 0;
@@ -19,15 +19,15 @@ struct DeviceContext {
 
   Device& device;
   Buffers buffers;
-  LazyPipeline other_pipeline;  // of an API without its own
-  Params params{};              // each component sets its own struct; sent to the device only when they change
+  LazyPipeline other_pipeline;  // for an API without its own pipeline
+  Params params{};              // each component sets its struct; sent to the device when it changes
   uint64_t n = 0;               // spheres
   bool equal_radii = true;
-  uint near_pairs = 0;   // in SLOT_NEAR
-  uint64_t moves = 0;    // stamp of the spheres: what is made from them keeps it, and is compared with it when used
+  uint near_pairs = 0;   // pairs in SLOT_NEAR
+  uint64_t moves = 0;    // number of moves; results record it, and are current while it stays the same
   uint64_t version = 0;  // of the spheres and their contacts: grows with every move and search
 
-  // So many spheres, with such radii: of a scene, or of a search beside it.
+  // Sets the number of spheres and their radii, from a scene or for a search beside it.
   void set_spheres(const Scene& scene) {
     n = scene.size();
     equal_radii = scene.equal_radii;
@@ -56,12 +56,12 @@ struct DeviceContext {
   void launch(const Launch& launch, const Params& with) { device.launch(launch, with, buffers.handles()); }
 };
 
-// A thread for every sphere, and at least one for every word of the summary, which the same kernels clear.
+// Groups for a thread a sphere, and at least one a word of the summary, which the same kernels clear.
 inline std::array<uint, 3> groups_per_sphere(const DeviceContext& context) {
   return folded(ceil_div(std::max<uint64_t>(context.n, SUMMARY_SLOTS * SUMMARY_WORDS), SERVICE_BLOCK));
 }
 
-// Contact counts, in this order, and the totals.
+// Clears the contact counts in this order, and the totals.
 inline void clear_results(DeviceContext& context, Order order) {
   const uint64_t threads = std::max<uint64_t>(context.n, SUMMARY_SLOTS * SUMMARY_WORDS);
   context.launch(

@@ -14,19 +14,19 @@ struct DeviceCapabilities {
   uint64_t largest_buffer = 0;   // bytes that a kernel can reach in one buffer
   bool atomics_64 = false;       // 64-bit atomic minimum on buffers
   bool float_atomics = false;    // atomic addition of float32 on buffers
-  bool overlaps_images = false;  // the spheres of one image can be drawn while the last is still resolved
-  bool makes_lists = false;      // lists of pairs are made by kernels: in CUDA, see docs/NOTES/lists.md
+  bool overlaps_images = false;  // can draw the spheres of one image while the previous one is still resolved
+  bool makes_lists = false;      // kernels make lists of pairs: only CUDA, see docs/NOTES/lists.md
   uint bounds_block = 0;         // group size of grid_bounds
-  uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: the device has no such kernel
+  uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: no such kernel
   uint tensor_block = 0;         // group size of that kernel
-  uint persistent_groups = 0;    // groups of persistent_steps that run at once; 0: the device has no such kernel
+  uint persistent_groups = 0;    // groups of persistent_steps that run at once; 0: no such kernel
 };
 
-// A library's sorts with our kernels (CUDA: Thrust).
+// Sorts by a library (CUDA: Thrust), which can replace our kernels.
 class DeviceLibrary {
  public:
   virtual ~DeviceLibrary() = default;
-  // SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED, SLOT_ID; counts 0.
+  // Sorts SLOT_POSITION into cell order: SLOT_CELL, SLOT_SORTED, SLOT_ID. Sets the counts to 0.
   virtual void sort_spheres(const Params& params, const BufferHandles& buffers) = 0;
   virtual void sort_pairs(const Memory& pairs, uint64_t count) = 0;  // into canonical order
 };
@@ -36,27 +36,26 @@ class Device {
   virtual ~Device() = default;
   virtual const BackendInfo& info() const = 0;
   virtual const DeviceCapabilities& capabilities() const = 0;
-  virtual void enter_thread() {}  // as of a backend
+  virtual void enter_thread() {}  // see Backend::enter_thread
   virtual void leave_thread() noexcept {}
 
-  // A buffer of so many bytes, after giving back the one that it replaces. Throws BackendError with the bytes asked and
-  // free.
+  // Frees `replaced`, then returns a buffer of this many bytes. Throws BackendError with the bytes asked and free.
   virtual Memory allocate(uint64_t bytes, Memory replaced) = 0;
   virtual void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) = 0;
   virtual void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
-  virtual void clear(const Memory& memory, uint64_t bytes) = 0;  // to 0, by the API's own function
+  virtual void clear(const Memory& memory, uint64_t bytes) = 0;  // sets to 0, by the API's own function
 
   virtual void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) = 0;
   virtual void wait() = 0;
 
-  // Around the launches of one collision step, which may go out together. `check` throws std::invalid_argument that
-  // names the option which this API lacks.
+  // Bracket the launches of one collision step, which may be submitted together. check() throws std::invalid_argument,
+  // which names an option that this API lacks.
   virtual void check(const CollideOptions& options) const = 0;
   virtual void begin_step(const ApiOptions& options) = 0;
   virtual void end_step() = 0;
 
-  // Whether a kernel reads so many elements through a buffer texture. `wanted`: as the options ask for it; throws
-  // BackendError when that is true and they do not fit.
+  // Whether the kernel reads this many elements through a buffer texture. `wanted` is the option; throws BackendError
+  // if it is true and they do not fit.
   virtual bool reads_texture(Kernel, const Params&, uint64_t /*texels*/, std::optional<bool> /*wanted*/) const {
     return false;
   }
@@ -66,15 +65,15 @@ class Device {
   virtual std::vector<StageTime> compile_kernels() { return {}; }
 
   virtual DeviceLibrary* library() { return nullptr; }
-  virtual DeviceArrays* arrays() { return nullptr; }        // callers' own, of an API that has such
-  virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own
+  virtual DeviceArrays* arrays() { return nullptr; }        // callers' arrays; null: not supported
+  virtual GraphicsPipeline* pipeline() { return nullptr; }  // its own pipeline, or null
 
-  // Launches what is held back: another API is about to use a buffer.
+  // Submits the launches that are held back, before another API uses a buffer.
   virtual void flush() {}
 
-  Preparations prepared;  // counted by the device, its pipeline's apart
+  Preparations prepared;  // counts of the device, without its pipeline's
 
-  WorkCounts work;  // launches are counted by the device, steps and sorts by the components
+  WorkCounts work;  // the device counts launches, the components count steps and sorts
 };
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which launches may run at the same time: those of which none writes what another uses.
+// Decides which launches may run at the same time: launches of which none writes what another uses.
 #pragma once
 
 #include "common/device/launch.h"
@@ -8,8 +8,8 @@ namespace spherepair {
 
 class Hazards {
  public:
-  // Whether the launch may begin while those since the last wait still run; it is one of them then. Otherwise, or where
-  // it `must_wait`, it waits for all of them.
+  // Whether the launch may start while the launches since the last wait still run; it then joins them. Otherwise, or if
+  // `must_wait`, it waits for all of them.
   bool overlaps(const Launch& launch, const BufferHandles& buffers, bool must_wait = false) {
     const Uses uses = uses_of(launch);
     const bool alone = must_wait || launch.depends || &buffers != buffers_ || ((reads_ | writes_) & uses.writes) ||
@@ -22,8 +22,8 @@ class Hazards {
   void forget() { buffers_ = nullptr; }  // the next launch waits
 
  private:
-  const BufferHandles* buffers_ = nullptr;  // whose slots these are
-  Slots reads_ = 0, writes_ = 0;            // by the launches since the last wait
+  const BufferHandles* buffers_ = nullptr;  // the buffers whose slots these are
+  Slots reads_ = 0, writes_ = 0;            // slots that the launches since the last wait read and write
 };
 
 }  // namespace spherepair

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every kernel, by the name that its source files, its stage in the results and its entry in CUDA have in common; with
-// the buffers that it reads, and those that it writes, in any variant. Devices wait between two launches by this table;
-// the lint compares it with what the shaders do. Vulkan and CUDA have the kernels of tensor cores, CUDA alone has
-// persistent_steps. Kernels of lists are mirrored, too, but only
-// tests run them in OpenGL and Vulkan (docs/NOTES/lists.md).
+// A row for every kernel: its name, which its source files, its stage in the results and its entry in CUDA share, and
+// the buffers that it reads and writes in any variant. Devices place waits between launches by this table; the lint
+// compares it with the shaders. Only Vulkan and CUDA have the tensor kernels, only CUDA has persistent_steps. Kernels
+// of lists are twins, too, but OpenGL and Vulkan run them only in tests (docs/NOTES/lists.md).
 #pragma once
 
 // clang-format off

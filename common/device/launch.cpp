@@ -6,7 +6,7 @@
 namespace spherepair {
 namespace {
 
-// Where a launch chooses the buffer that its kernel sees in a slot.
+// A slot as the kernel sees it, and the slot whose buffer the launch puts there.
 struct Choice {
   uint seen, used;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One launch of a kernel, as every GPU API takes it.
+// One launch of a kernel, in the form that every GPU API takes.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr size_t kernel_count = SPHEREPAIR_KERNELS(ONE_MORE);
 
 const char* kernel_name(Kernel kernel);  // the stem of its two source files
 
-// Buffers, a bit a slot; by their names in kernels.
+// Sets of buffers, one bit a slot; the constants are named as in kernels.
 using Slots = uint64_t;
 namespace slots {
 constexpr Slots none = 0;
@@ -35,10 +35,10 @@ SPHEREPAIR_BUFFERS(ONE, THREE)
 
 constexpr uint64_t ceil_div(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
-// `groups` along one axis, folded into the next where one dispatch cannot hold them.
+// Returns a grid for `groups` groups along x, folded into y if one dispatch cannot hold them.
 std::array<uint, 3> folded(uint64_t groups);
 
-// Which copy of the spheres a kernel sees as positions, contact counts and sphere indices.
+// The copy of the spheres that a kernel sees as positions, contact counts and sphere indices.
 enum class Order { scene, buckets, cells };
 inline uint position_slot(Order order) {
   return order == Order::cells ? SLOT_SORTED : order == Order::buckets ? SLOT_SPLIT : SLOT_POSITION;
@@ -52,26 +52,26 @@ struct Launch {
   uint block;  // threads per group
   Variant variant = {};
   std::array<uint, 3> groups = {1, 1, 1};
-  Order order = Order::scene;   // that the kernel reads
-  Order target = Order::cells;  // that it writes
-  uint table = SLOT_CELL;       // of the scan
-  const char* stage = nullptr;  // name of its time, where not the kernel's
-  Slots unused = 0;             // of the buffers as the kernel sees them, with these parameters
-  bool depends = false;         // on the launches before, whatever they and it use
-  const View* view = nullptr;   // of kernels that draw, which see as counts what chooses the colours, by sphere index
-  uint visible_slot = SLOT_VISIBLE;  // of kernels that draw
+  Order order = Order::scene;        // copy that the kernel reads
+  Order target = Order::cells;       // copy that the kernel writes
+  uint table = SLOT_CELL;            // table of the scan
+  const char* stage = nullptr;       // name of its time, if not the kernel's
+  Slots unused = 0;                  // buffers, by the kernel's names, that it does not use with these parameters
+  bool depends = false;              // waits for the previous launches, whatever they use
+  const View* view = nullptr;        // of drawing kernels; they see as counts what chooses the colours, by sphere index
+  uint visible_slot = SLOT_VISIBLE;  // of drawing kernels
   uint steps = 0;                    // of persistent_steps, whose groups must all run at once
-  uint64_t texels = 0;               // GLSL, where variant.texture_table is set: elements of the buffer texture
+  uint64_t texels = 0;               // GLSL with variant.texture_table: elements of the buffer texture
 };
 
 inline uint count_slot(const Launch& launch) {
   return launch.view ? colour_slot(*launch.view) : count_slot(launch.order);
 }
 
-// The buffers as a kernel sees them.
+// Returns the buffers in the slots where the kernel sees them.
 BufferHandles seen_buffers(const Launch& launch, const BufferHandles& buffers);
 
-// The slots that a launch reads and those that it writes.
+// Slots that a launch reads and slots that it writes.
 struct Uses {
   Slots reads = 0, writes = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory of a device.
+// Device memory.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace spherepair {
 
-// A buffer of a device. Copies share it, and the last one frees it. Free it before the device is closed.
+// A buffer of a device. Copies share it; destroying the last one frees it, which must be before the device is closed.
 struct Memory {
-  uint64_t handle = 0;  // what kernels find it by: the name of an OpenGL buffer, an address in CUDA; 0: there is none
+  uint64_t handle = 0;  // for kernels: an OpenGL buffer's name, a CUDA address; 0: no buffer
   uint64_t bytes = 0;   // that kernels may use
   std::shared_ptr<void> owner;
 };

@@ -13,7 +13,7 @@ bool same_bytes(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-// What a launch chooses by its other fields is in the buffers and the parameters.
+// The launch's other fields show in the buffers and the parameters.
 bool same_call(const Call& a, const Call& b) {
   return a.launch.kernel == b.launch.kernel && a.launch.block == b.launch.block && a.launch.groups == b.launch.groups &&
          a.launch.steps == b.launch.steps && a.early == b.early && same_bytes(a.params, b.params) &&
@@ -23,7 +23,7 @@ bool same_call(const Call& a, const Call& b) {
 }  // namespace
 
 void StepRecorder::begin(uint most_steps) {
-  if (collecting_ || most_steps != most_) flush();  // collecting: a step that an error ended
+  if (collecting_ || most_steps != most_) flush();  // collecting_: an error ended the last step
   most_ = most_steps;
   collecting_ = true;
 }
@@ -51,19 +51,19 @@ void StepRecorder::replay(size_t size) {
   work_.kernels_replayed += steps_.front().calls.size() * graph_sizes[size];
 }
 
-// The longest recordings first.
+// Replays what is held, with the longest recordings first.
 void StepRecorder::release() {
   for (size_t size = graph_sizes.size(); size-- > 0;)
     for (; held_ >= graph_sizes[size]; held_ -= graph_sizes[size]) replay(size);
 }
 
-// Whether this step came before; it is the latest then.
+// Whether this step came before; it then becomes the latest.
 bool StepRecorder::recall() {
   const auto found =
       std::ranges::find_if(steps_, [&](const Step& step) { return std::ranges::equal(calls_, step.calls, same_call); });
   if (found == steps_.end()) return false;
   if (found != steps_.begin()) {
-    release();  // those like the one that was the latest
+    release();  // replays held copies of the previous latest
     next_ = 1;
     steps_.splice(steps_.begin(), steps_, found);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The launches of steps, recorded and replayed. A step is collected; when it comes a second time it is recorded (a
-// kernel's first launch may load it, which a recording does not allow) and replayed from then on. Equal steps that
-// nobody waits for are held back and go out together, in recordings of 1, 4, 16 and 64 steps. Whatever cannot wait
-// flushes what was collected or held back.
+// Records the launches of steps and replays them. A step is collected. When the same step comes a second time it is
+// recorded and from then on replayed: not the first time, since a kernel's first launch may load it, which a recording
+// forbids. Equal steps that nobody waits for are held back and submitted together, in recordings of 1, 4, 16 and 64
+// steps. A call that cannot wait flushes what was collected or held back.
 #pragma once
 
 #include <list>
@@ -14,17 +14,17 @@
 
 namespace spherepair {
 
-// A launch, with all that it was handed.
+// A launch with all its inputs.
 struct Call {
-  Launch launch;  // whose view is the one below
+  Launch launch;  // its view is the one below
   Params params;
-  BufferHandles buffers;  // as the kernel sees them
-  View view{};            // zeros for a kernel that takes none: another view is no other call of it
-  bool early = false;     // need not wait for the launch before: no barrier in Vulkan; in CUDA a programmatic launch,
-                          // whose kernel may wait itself
+  BufferHandles buffers;  // the buffers that the kernel sees
+  View view{};            // zeros for a kernel that takes none, so that equal calls compare equal
+  bool early = false;     // need not wait for the previous launch: no barrier in Vulkan; in CUDA a
+                          // programmatic launch, whose kernel may wait itself
 };
 
-// How an API launches and records; throws BackendError.
+// The launches and recordings of an API. All members throw BackendError.
 class StepApi {
  public:
   virtual ~StepApi() = default;
@@ -36,35 +36,35 @@ class StepApi {
 
 class StepRecorder {
  public:
-  // Counts launches, replays and recordings there.
+  // Adds its launches, replays and recordings to these counts.
   StepRecorder(StepApi& api, WorkCounts& work, Preparations& prepared) : api_(api), work_(work), prepared_(prepared) {}
 
-  void begin(uint most_steps);  // a step, of which a recording may hold so many
+  void begin(uint most_steps);  // begins a step; its recording may hold up to this many
   bool collecting() const { return collecting_; }
   void add(const Call& call) { calls_.push_back(call); }
-  void end();    // of the step: launches or holds it
-  void flush();  // launches what was collected or held back; the next step goes out at once
+  void end();    // ends the step: launches it or holds it back
+  void flush();  // submits what was collected or held back; the next step is submitted at once
 
  private:
   struct Step {
     std::vector<Call> calls;
-    std::array<StepApi::Recording, graph_sizes.size()> recordings{};  // by graph_sizes; null: not made yet
+    std::array<StepApi::Recording, graph_sizes.size()> recordings{};  // one for each of graph_sizes; null: not made yet
   };
   void release();
   void launch_calls();
   bool recall();
   void replay(size_t size);
 
-  static constexpr size_t remembered = 8;  // steps: those of several searches by turns stay recorded
+  static constexpr size_t remembered = 8;  // steps: enough for several searches that take turns
 
   StepApi& api_;
   WorkCounts& work_;
   Preparations& prepared_;
   bool collecting_ = false;
-  std::vector<Call> calls_;   // of this step
-  std::list<Step> steps_;     // that came before, the latest first
-  uint most_ = 1, next_ = 1;  // steps of a recording at most, and of the next one
-  uint held_ = 0;             // steps like the latest that are not launched yet
+  std::vector<Call> calls_;   // of the current step
+  std::list<Step> steps_;     // earlier steps, the latest first
+  uint most_ = 1, next_ = 1;  // largest recording, and the next one, in steps
+  uint held_ = 0;             // copies of the latest step that are not launched yet
 };
 
 }  // namespace spherepair

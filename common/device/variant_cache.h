@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled kernels by group size and variant. Each launch looks its kernel up, so by number: a map by name takes longer
-// than a dispatch.
+// Caches compiled kernels by group size and variant. Every launch looks up its kernel, by number, because a map by name
+// takes longer than a dispatch.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace spherepair {
 template <typename Compiled>
 class VariantCache {
  public:
-  // The kernel, which `compile` makes on its first use: a std::unique_ptr<Compiled>.
+  // Returns the kernel. On first use `compile` makes it, as a std::unique_ptr<Compiled>.
   template <typename Compile>
   const Compiled& get(Kernel kernel, uint block, const Variant& variant, Compile compile) {
     std::vector<Entry>& entries = entries_[size_t(kernel)];
@@ -32,7 +32,7 @@ class VariantCache {
     Variant variant;
     std::unique_ptr<Compiled> compiled;
   };
-  std::array<std::vector<Entry>, kernel_count> entries_;  // by kernel, which has few
+  std::array<std::vector<Entry>, kernel_count> entries_;  // few for each kernel
   uint64_t compiled_ = 0;
 };
 

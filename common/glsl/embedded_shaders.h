@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-// The flattened text of every shader, by file name.
+// Returns the text of every shader by file name, with its includes inserted.
 const std::map<std::string, std::string>& embedded_shaders();
 
 }  // namespace spherepair

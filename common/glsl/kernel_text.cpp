@@ -8,7 +8,7 @@
 namespace spherepair {
 namespace {
 
-constexpr const char* real_names[] = {"float", "Two", "double", "int64_t"};  // by Precision
+constexpr const char* real_names[] = {"float", "Two", "double", "int64_t"};  // indexed by Precision
 
 std::string required(const std::string& extension, const char* macro) {
   return fmt::format("#extension {} : require\n#define {}\n", extension, macro);
