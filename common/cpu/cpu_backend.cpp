@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference of the other backends, and the CPU code that a user without a GPU runs.
+// The CPU backend: the reference for the other backends, and the code that a user without a GPU runs.
 #include "common/cpu/cpu_backend.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ BackendInfo describe_cpu(int threads) {
           .details = {{"threads", std::to_string(threads)}}};
 }
 
-// The host's clock around each stage, while it is on.
+// Times each stage by the host's clock, while it is on.
 class StageClock {
  public:
   void turn(bool on) { on_ = on, times_.clear(); }
@@ -177,7 +177,7 @@ class CpuBackend final : public Backend {
     return verdicts;
   }
   void launch_empty(uint) override {}  // a function call
-  void check_guards() override {}      // vectors; the sanitizers watch them
+  void check_guards() override {}      // buffers are vectors, which the sanitizers watch
   WorkCounts work_counts() const override {
     WorkCounts work = search_.work();
     work.steps += motion_.contact_searches();
@@ -190,7 +190,7 @@ class CpuBackend final : public Backend {
   std::vector<StageTime> stage_times() override { return clock_.take(); }
 
  private:
-  // What chooses the spheres' colours.
+  // Returns a number for each sphere, which chooses its colour.
   std::vector<uint> colours(const View& view) {
     const auto& positions = motion_.positions(threads_);
     if (view.colour_by == COLOUR_BY_CLASS && classes_.size() != positions.size())

@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t few = 4096;  // spheres or pairs for which threads cost more than they save
+constexpr uint64_t few = 4096;  // up to this many spheres or pairs, threads cost more than they save
 
 template <typename Number>
 void add(Number& sum, Number value) {
@@ -51,8 +51,8 @@ void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
   left_skin_ = false;
 }
 
-// The pairs are in ascending order, first by i < j, then by j: a row first takes those below its sphere, then those
-// above.
+// Lists each sphere's near spheres in ascending order. Pairs i < j ascend by i, then by j. So a row first takes the
+// near spheres below its own, then those above.
 void CpuContacts::list_rows(uint64_t n) {
   row_begin_.assign(n + 1, 0);
   for (const Pair& pair : near_) ++row_begin_[pair.first + 1], ++row_begin_[pair.second + 1];
@@ -63,7 +63,7 @@ void CpuContacts::list_rows(uint64_t n) {
   for (const Pair& pair : near_) row_[end[pair.first]++] = pair.second;
 }
 
-// The lowest index is kept, whichever thread comes first.
+// Keeps the lowest sphere index of each fault, so that the order of threads does not matter.
 void CpuContacts::record(uint fault, uint64_t sphere) {
   if (fault == FAULTS) return;
   std::atomic_ref kept(failed_.faults[fault]);
@@ -72,7 +72,7 @@ void CpuContacts::record(uint fault, uint64_t sphere) {
   }
 }
 
-// What contact_gather does.
+// Sums float32 impulses in the order of rows, as the kernel contact_gather does.
 void CpuContacts::gather(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   const uint64_t n = positions.size();
 #pragma omp parallel for num_threads(threads_) schedule(static) if (n > few)
@@ -124,7 +124,7 @@ void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& p
   }
 }
 
-// The sum of a sphere along an axis; the next step begins with 0.
+// Returns a sphere's sum along an axis and sets it to 0 for the next step.
 int64_t CpuContacts::take_impulse(uint64_t k) {
   if (sums_ == ImpulseSums::atomics) return integer_of(std::exchange(float_sums_[k], 0.0f));
   return std::exchange(impulses_[k], 0);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint none = ~0u;
 
-// What is left of a box in the rows from first to before last.
+// Returns the part of a box in the rows from `first` to before `last`.
 Box within_rows(Box box, uint first, uint last) {
   const uint begin = std::max(box.y, first), end = std::min(box.y + box.height, last);
   return {box.x, begin, box.width, end > begin ? end - begin : 0};
@@ -22,7 +22,7 @@ void put(std::vector<uvec2>& visible, const Box& box, vec4 seen, uint sphere, co
     for (uint x = box.x; x < box.x + box.width; ++x) {
       const float depth = depth_of_hit(seen, ray_through(x, y, v), v);
       uvec2& there = visible[size_t(y) * v.width + x];
-      if (depth != 0 && float_bits(depth) < there.y) there = {sphere, float_bits(depth)};  // numbers ascend
+      if (depth != 0 && float_bits(depth) < there.y) there = {sphere, float_bits(depth)};  // tie: lowest index
     }
 }
 
@@ -44,7 +44,7 @@ uint colour_of(uvec2 there, uint pixel, std::span<const vec4> spheres, std::span
 
 }  // namespace
 
-// Each thread has a band of rows, for which it goes through all spheres.
+// Draws the image in bands of rows. Each thread goes through all spheres for its band.
 CpuImage draw_image(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, const Params& p,
                     int threads) {
   std::optional<CpuLight> light;

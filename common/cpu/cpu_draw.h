@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rasteriser on the CPU: the reference of the kernels draw_*.
+// The rasteriser on the CPU: the reference for the kernels draw_*.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct CpuImage {
   std::vector<uvec2> visible;  // as SLOT_VISIBLE
   DrawStatistics counts;
 };
-// p: with the cells for the light; only looked at when the view asks for LIGHT_*.
+// Draws the spheres. Only a view with LIGHT_* reads the cells for the light in p.
 CpuImage draw_image(std::span<const vec4> spheres, std::span<const uint> contacts, const View& view, const Params& p,
                     int threads);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light of a image on the CPU: the reference of the kernel draw_light.
+// The light of an image on the CPU: the reference for the kernel draw_light.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace spherepair {
 
-// The spheres in the dense cells, level by level, that p describes, whatever the order within a cell.
+// Holds the spheres in the dense cells that p describes, level by level, in any order within a cell.
 class CpuLight {
  public:
   CpuLight(std::span<const vec4> spheres, const Params& p);
-  float around(const Surface& s) const;  // the share of the light from all around that arrives
+  float around(const Surface& s) const;  // share of the light from all around that reaches the surface
   bool in_shadow(const Surface& s, const View& v) const;
   uint colour(uvec2 seen, uint pixel, std::span<const uint> contacts, const View& v) const;
 
@@ -22,7 +22,7 @@ class CpuLight {
 
   std::span<const vec4> spheres_;
   Params p_;
-  std::vector<uint> begin_, id_;  // of each cell; by sorted index
+  std::vector<uint> begin_, id_;  // first entry of each cell in id_; sphere indices by cell
 };
 
 }  // namespace spherepair

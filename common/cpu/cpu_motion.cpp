@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t few = 4096;  // spheres for which threads cost more than they save
+constexpr uint64_t few = 4096;  // up to this many spheres, threads cost more than they save
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Moving<Real> CpuMotion::load(uint64_t i) const {
   return {wide(0), wide(1), wide(2), wide(3), wide(4), wide(5), at.w};
 }
 
-// Velocities and the wide state only when the whole state is wanted.
+// Stores a sphere's position; velocity and wide state only if `whole`.
 template <typename Real>
 void CpuMotion::store(uint64_t i, const Moving<Real>& sphere, bool whole) {
   positions_[i] = {nearest(sphere.x), nearest(sphere.y), nearest(sphere.z), sphere.radius};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The CPU's spheres and how they move.
+// The CPU's spheres and their motion.
 #pragma once
 
 #include "common/cpu/cpu_contacts.h"
@@ -32,14 +32,14 @@ class CpuMotion {
   void sum_impulses(ImpulseSums sums) { contacts_.sum_impulses(sums); }
   uint64_t contact_searches() const { return contacts_.searches(); }
 
-  // As they stand now; of `anchored` they are evaluated when they are requested.
+  // Returns the current positions; for `anchored` this call evaluates them.
   const std::vector<vec4>& positions(int threads);
   void evaluate_state(int threads);
-  const std::vector<vec4>& velocities() const { return velocities_; }  // as they were evaluated last
-  Backend::State state() const;  // BackendError where it was not evaluated since the last move
+  const std::vector<vec4>& velocities() const { return velocities_; }  // as last evaluated
+  Backend::State state() const;  // throws BackendError if not evaluated since the last move
 
   MotionState save(int threads);
-  // After the upload of that scene.
+  // Restores a saved state. Call it after the upload of the same scene.
   void resume(const Scene& scene, const MotionState& saved);
 
  private:
@@ -58,13 +58,13 @@ class CpuMotion {
   void evaluate(int threads, bool whole);
 
   MotionOptions motion_;
-  std::string unmovable_;  // why
+  std::string unmovable_;  // why the scene cannot be moved
   MotionParams params_{};
   CpuContacts contacts_;
   std::vector<vec4> positions_, velocities_;
   MotionState kept_;
-  bool evaluated_ = true;      // positions are those of this step ...
-  bool state_current_ = true;  // ... and so is all that state() reads
+  bool evaluated_ = true;      // positions are the current ones ...
+  bool state_current_ = true;  // ... and so is all else that state() reads
   bool event_driven_ = true;
 };
 

@@ -47,7 +47,7 @@ PairsFound CpuSearch::search_cells(const SearchInput& input) {
   const GridPlan& plan = plans_.plan(input.options.grid.cells);
   const bool keep = input.options.grid.keep_cells && cells_ == plan.cells && cells_equal_radii_ == input.equal_radii;
   ++(keep ? work_.cells_kept : work_.sorts);
-  cells_.reset();  // until they are, should that fail
+  cells_.reset();  // stays empty if the sort fails
   PairsFound found = grid_.search(input, plan, keep);
   cells_equal_radii_ = input.equal_radii;
   cells_ = plan.cells;

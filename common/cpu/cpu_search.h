@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The CPU's search for colliding pairs: chooses the method, keeps the cells while they are current, and the results.
+// The CPU's search for colliding pairs: chooses the method, keeps cells while they are current, and keeps the results.
 #pragma once
 
 #include <optional>
@@ -18,21 +18,21 @@ class CpuSearch {
   void moved();
 
   MethodChoice choice(const CollideOptions& options) const;
-  // Chooses the method for a search of these positions, and plans the cells anew where spheres have left them.
+  // Chooses the method for these positions. Plans new cells first if spheres have left the old ones.
   Method prepare(const CollideOptions& options, const std::vector<vec4>& positions);
-  // What was prepared; state and saved: of a swept search.
+  // Runs the prepared search. Only a swept search needs `state` and `saved`.
   void run(const std::vector<vec4>& positions, const Backend::State& state = {}, const MotionState& saved = {});
 
-  // The pairs of these positions, in any order.
+  // Returns the colliding pairs of these positions, in any order.
   const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,
                                       CollideOptions options = {.method = Method::automatic});
 
-  bool searched() const { return found_.has_value(); }  // these positions
+  bool searched() const { return found_.has_value(); }  // the current positions
   const Collisions& totals() const { return found().totals; }
   std::vector<uint> counts() const;
   const std::vector<Pair>& pairs() const;
 
-  // Parameters with the cells for the light of images.
+  // Returns the parameters with the cells that an image's light uses.
   Params light_cells() const;
   const WorkCounts& work() const { return work_; }
 
@@ -47,15 +47,15 @@ class CpuSearch {
   bool equal_radii_ = true;  // of the scene
   MotionOptions motion_;
   Params params_{};
-  std::array<SearchParams, 2> constants_{};  // of the scene: [exact]
+  std::array<SearchParams, 2> constants_{};  // of the scene; index: exact
   GridPlans plans_;
   PlanWatch watch_;
   WorkCounts work_;
   CpuGrid grid_;
-  std::optional<Cells> cells_;       // that grid_ has sorted these positions into ...
-  bool cells_equal_radii_ = true;    // ... for searches that load no radii
-  CollideOptions options_;           // of the last search, with the method that was chosen
-  std::optional<PairsFound> found_;  // by it
+  std::optional<Cells> cells_;       // the cells in grid_, if they hold the current positions ...
+  bool cells_equal_radii_ = true;    // ... and whether they were sorted for equal radii
+  CollideOptions options_;           // of the last search, with the chosen method
+  std::optional<PairsFound> found_;  // by the last search
 };
 
 }  // namespace spherepair

@@ -12,12 +12,12 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t alone = 32768;  // spheres up to which passing over them is not worth a second thread
+constexpr uint64_t alone = 32768;  // up to this many spheres, a second thread does not pay
 
 }  // namespace
 
-// What one thread has found. Within its chunk of places it counts alone; contacts of other places are counted apart,
-// which several threads may write.
+// The pairs that one thread finds. Only this thread counts contacts within its chunk of places. Several threads may
+// count contacts of other places, which therefore have counters of their own.
 class CpuGrid::Finder final : public CandidateSink {
  public:
   Finder(CpuGrid& grid, const SearchInput& search, const Params& p, GrowingList<uint64_t>& list)
@@ -66,7 +66,7 @@ class CpuGrid::Finder final : public CandidateSink {
     }
   }
 
-  // Drops the undecided candidate pairs that are no collisions.
+  // Decides the undecided candidate pairs and drops those that do not collide.
   void resolve_undecided(Candidates& candidates) {
     uint flags = 0;
     for (uint k = 0; k < candidates.size; ++k) flags |= candidates.other[k];

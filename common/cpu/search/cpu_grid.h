@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The collision step of the CPU backend through the grid. It keeps its memory from call to call.
+// The CPU's search through the grid. It keeps its memory from call to call.
 #pragma once
 
 #include "common/cpu/search/cpu_grid_sort.h"
@@ -12,8 +12,8 @@ class CpuGrid {
  public:
   explicit CpuGrid(const GridSimd& simd = grid_simds().front()) : simd_(simd), cells_(simd) {}
 
-  // All but the counts, which are put into the order of the spheres when they are requested. With keep_cells the
-  // spheres are those of the last search, in the same cells.
+  // Finds everything but counts(), which orders the counts by sphere when asked. keep_cells: the spheres are those of
+  // the last search, in the same cells.
   PairsFound search(const SearchInput& search, const GridPlan& plan, bool keep_cells);
   std::vector<uint> counts(int threads) const;  // of the last search
 
@@ -26,7 +26,7 @@ class CpuGrid {
   const GridSimd& simd_;
   CellSort cells_;
   uint64_t n_ = 0;
-  Buffer<uint> near_counts_, far_counts_;  // contacts by sorted index: within a sphere's own chunk, and beyond
+  Buffer<uint> near_counts_, far_counts_;  // contacts by sorted index: within the sphere's own chunk, and in others
   std::vector<GrowingList<uint64_t>> lists_;
   PairSort list_sort_;
 };

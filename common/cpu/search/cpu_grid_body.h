@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The grid's search on vectors. cpu_grid_simd.cpp includes this once for each instruction set, inside a namespace that
-// says what Floats, lanes, load, spread, fused, not_above, below and append are there: hence no include guard.
+// The grid's search on vectors. cpu_grid_simd.cpp includes this file once for each instruction set, inside a namespace
+// that defines Floats, lanes, load, spread, fused, not_above, below and append; hence no include guard.
 
-// A few groups of consecutive spheres of one row of cells, which are tested against the same rows of cells.
+// A run: consecutive spheres of one row of cells, in a few groups, all tested against the same rows of cells.
 constexpr uint groups_at_once = 16, row_chunk = 64;
 struct Run {
   uint first, count, level;
   Cell cell;                                                    // of the first sphere
-  vec4 low, high;                                               // of the centres, and the largest radius in high.w
-  float group_low[groups_at_once], group_high[groups_at_once];  // along x, of each group
+  vec4 low, high;                                               // box of the centres; high.w: largest radius
+  float group_low[groups_at_once], group_high[groups_at_once];  // along x, of each group's centres
 
   uint groups() const { return (count + spheres_at_once - 1) / spheres_at_once; }
 };
 
-// The filter for vectors: whether spheres are not certainly apart, and whether near ones certainly collide.
+// The float32 filter on vectors. near(): spheres are not certainly apart. sure(): near spheres certainly collide.
 template <bool equal_radii>
 struct Filter;
 
@@ -57,10 +57,12 @@ class Searcher {
     return {order_.x[place], order_.y[place], order_.z[place], equal_radii ? p_.radius : order_.radius[place]};
   }
 
-  // All beyond the largest cell number is one cell, whose spheres may be too far apart to test rows of cells together.
+  // Whether this is the last cell, which holds everything beyond. Its spheres may be too far apart to be tested as a
+  // row of cells.
   static bool is_last(int cell) { return cell <= -MOST_CELLS || cell >= MOST_CELLS; }
 
-  // A run of hashed cells ends with its row, and before the row comes back to its own slots.
+  // Whether the run may go on at `place`. A run of hashed cells ends with its row, and before the row wraps around to
+  // slots that the run already uses.
   bool continues(const Run& run, uint place) const {
     if (!hashed) return true;
     if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;
@@ -101,7 +103,8 @@ class Searcher {
     }
   }
 
-  // The rows of cells of a level in reach; of the spheres' own level only the half that comes after their own row.
+  // Tests a run against the rows of cells in reach on one level. On the spheres' own level only the half of the
+  // neighbourhood after their own row is tested.
   void test_level(const Run& run, uint level) {
     const float reach = cells_.reach(run.high.w, level);
     const Cell low = cells_.lowest(run.low, reach, level), high = cells_.highest(run.high, reach, level);
@@ -146,7 +149,8 @@ class Searcher {
     }
   }
 
-  // Each of a few spheres with each from begin to end, and, when these go on in the same row, after itself.
+  // Tests `count` spheres from `first` on against those from `begin` to `end`. half: both are in one row, so only later
+  // spheres count.
   template <bool half>
   void test_pair(uint first, uint count, uint begin, uint end, uint level, int y, int z) {
     for (uint at = begin; at < end; at += lanes) {
@@ -173,7 +177,8 @@ class Searcher {
     }
   }
 
-  // Of the candidate pairs of a few spheres from i on with a vector from `at` on: those that are wanted.
+  // Masks the candidate pairs of a quad from i on with a vector from `at` on: none beyond the last sphere, and with
+  // `half` none with itself or an earlier sphere.
   template <bool half>
   static uint64_t meant(uint i, uint count, uint at, uint others) {
     constexpr uint64_t every = lanes == 16 ? 0x0001000100010001u : lanes == 8 ? 0x01010101u : 0x1111u;
@@ -185,7 +190,7 @@ class Searcher {
     return bits;
   }
 
-  // Rows may share slots: of the candidate pairs, those with spheres of this row.
+  // Keeps the candidate pairs with spheres of this row: other rows may use the same slots.
   uint64_t in_row(uint64_t near, uint at, uint level, int y, int z) const {
     uint64_t kept = 0;
     for (uint64_t rest = near; rest; rest &= rest - 1) {

@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-// cell.h for the one kind of cells and the other under the same names.
+// The functions of cell.h for dense and for hashed cells, under the same names.
 template <bool hashed>
 struct CellMap;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The grid's shorter loops on vectors. cpu_grid_simd.cpp includes this once for each instruction set, inside a
-// namespace that says what lanes is there: hence no include guard.
+// The grid's shorter loops on vectors. cpu_grid_simd.cpp includes this file once for each instruction set, inside a
+// namespace that defines `lanes`; hence no include guard.
 
-// Lists the candidate pairs of a quad one by one.
+// Appends the candidate pairs of a quad, one by one.
 inline void append_each(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   for (; near; near &= near - 1) {
     const uint bit = uint(std::countr_zero(near));
@@ -11,7 +11,7 @@ inline void append_each(Candidates& found, uint first, uint at, uint64_t near, u
   }
 }
 
-// slot_of in a dense grid, all three axes in one vector.
+// Computes slot_of in a dense grid, with all three axes in one vector.
 inline void find_dense_slots(const vec4* spheres, uint count, const GridParams& g, uint* slots) {
   typedef float Axes __attribute__((vector_size(16)));
   typedef int Cells __attribute__((vector_size(16)));
@@ -22,7 +22,7 @@ inline void find_dense_slots(const vec4* spheres, uint count, const GridParams& 
   const Strides strides = {1, g.cells_x, g.cells_x * g.cells_y, 0};
   for (uint k = 0; k < count; ++k) {
     Axes place = (Axes{spheres[k].x, spheres[k].y, spheres[k].z, 0} - origin) * scales;
-    place = place > lowest ? place : lowest;  // not a number goes to the lowest cell
+    place = place > lowest ? place : lowest;  // NaN goes to the lowest cell
     place = place < highest ? place : highest;
     const Strides parts = Strides(__builtin_convertvector(place, Cells)) * strides;
     slots[k] = parts[0] + parts[1] + parts[2];

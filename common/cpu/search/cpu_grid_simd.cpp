@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One body, compiled for several instruction sets; the program picks one when it starts. The filter's bound covers
+// Compiles one body for several instruction sets; the program picks one when it starts. The filter's error bound covers
 // fused and separate rounding alike.
 #include "common/cpu/search/cpu_grid_simd.h"
 
@@ -27,7 +27,7 @@ inline uint not_above(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP
 inline uint below(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 typedef uint Uints __attribute__((vector_size(64)));
 #include "common/cpu/search/cpu_grid_parts.h"
-// A quad's candidate pairs as the numbers of their bits, all at once: whether there are any is hard to predict.
+// Appends the candidate pairs of a quad without a branch on each bit, which would be hard to predict.
 inline void append(Candidates& found, uint first, uint at, uint64_t near, uint64_t open) {
   const uint count = uint(_mm_popcnt_u64(near));
   if (count > lanes || (open & near)) [[unlikely]]

@@ -10,9 +10,9 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t spheres_per_bucket = 4096, most_buckets = 4096, spheres_per_block = 32768, most_blocks = 256;
-constexpr uint batch = 1024;  // slots computed at once
+constexpr uint batch = 1024;  // number of slots computed at once
 constexpr uint64_t chunks_per_thread = 16, least_work = 16384;
-constexpr uint64_t own_work = 8, cell_work = 1;  // of a sphere by itself, and with each of its cell
+constexpr uint64_t own_work = 8, cell_work = 1;  // cost of a sphere alone, and with each sphere of its cell
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void CellSort::count_buckets(std::span<const vec4> spheres, const GridParams& g,
   }
 }
 
-// Counts become places: bucket by bucket, within a bucket block by block.
+// Turns counts into first places: bucket by bucket, and block by block within a bucket.
 void CellSort::place_buckets() {
   uint place = 0;
   for (size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
@@ -89,8 +89,8 @@ void CellSort::fill_buckets(std::span<const vec4> spheres, const GridParams& g, 
   }
 }
 
-// begin_[slot + 1] counts the slot's spheres, then is the place of its next sphere; after the last one, that is where
-// the next slot begins.
+// Sorts a bucket by slot. begin_[slot + 1] first counts the slot's spheres, then is the place of its next sphere. After
+// the last sphere that is where the next slot begins.
 void CellSort::order_bucket(uint number, const GridParams& g) {
   Bucket& bucket = buckets_[number];
   const uint64_t first_slot = uint64_t(number) << shift_,

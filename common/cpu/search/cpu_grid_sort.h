@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres into cell order on the CPU.
+// Sorts spheres into cell order on the CPU.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Consecutive places that make one task of the search.
+// Consecutive places that one task of the search takes.
 struct Chunk {
   uint first, last;
 };
@@ -19,20 +19,20 @@ class CellSort {
  public:
   explicit CellSort(const GridSimd& simd) : simd_(simd) {}
 
-  // A counting sort by slot_of, in two passes: into buckets of consecutive slots, so that the second pass stays in the
-  // cache. `radii` says whether the order keeps them.
+  // Sorts the spheres by slot_of, in two passes: first into buckets of consecutive slots, so that the second pass stays
+  // in the cache. radii: keep the radii in cell order, too.
   void sort(std::span<const vec4> spheres, const GridParams& g, bool radii, int threads);
 
   CellOrder order() const {
     return {x_.data(), y_.data(), z_.data(), radii_ ? radius_.data() : nullptr, id_.data(), begin_.data()};
   }
-  // All places in chunks of about the same work, several for each thread.
+  // Divides all places into chunks of about equal work, several for each thread.
   std::vector<Chunk> chunks(int threads) const;
 
  private:
   struct Bucket {
     uint first, last;  // places
-    uint64_t work;     // estimated
+    uint64_t work;     // estimate
   };
 
   void plan(uint64_t n, const GridParams& g);
@@ -41,7 +41,7 @@ class CellSort {
   void fill_buckets(std::span<const vec4> spheres, const GridParams& g, int threads);
   void order_bucket(uint number, const GridParams& g);
 
-  // Runs act(k, slot) for the spheres from first to last.
+  // Runs act(k, slot) for each sphere k from `first` to before `last`.
   template <typename Act>
   void for_slots(const vec4* spheres, const float* radii, uint64_t first, uint64_t last, const GridParams& g,
                  Act act) const;
@@ -50,9 +50,9 @@ class CellSort {
   bool radii_ = false;
   uint64_t n_ = 0, slots_ = 0, blocks_ = 0;
   uint shift_ = 0;
-  std::vector<uint> cursor_;     // [block][bucket]: where the block's next sphere of the bucket goes
-  std::vector<Bucket> buckets_;  // of 2^shift slots each
-  Buffer<vec4> split_;           // spheres by bucket, with their index for a radius
+  std::vector<uint> cursor_;     // [block][bucket]: place of the block's next sphere in the bucket
+  std::vector<Bucket> buckets_;  // 2^shift slots each
+  Buffer<vec4> split_;           // spheres by bucket, with their index in w
   Buffer<float> split_radius_;
   Buffer<float> x_, y_, z_, radius_;
   Buffer<uint> id_, begin_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint64_t pairs_per_bucket = 4096, most_buckets = 4096;
 constexpr uint64_t piece = 1 << 17;  // pairs that one thread splits at a time
-constexpr uint64_t sparse = 8;       // spheres for each pair, from which on counting by sphere is the longer way
+constexpr uint64_t sparse = 8;       // from so many spheres a pair on, sorting by comparison is faster
 constexpr ptrdiff_t short_run = 24;
 
 Pair pair_of(uint64_t key) { return {uint(key >> 32), uint(key)}; }
@@ -30,7 +30,7 @@ void sort_run(Pair* begin, Pair* end) {
   }
 }
 
-// Keys whose first spheres are those from `first` on, as many as `places` has entries.
+// Sorts the keys whose first spheres begin at `first`, at most as many as `places` has entries.
 void sort_bucket(std::span<uint64_t> keys, uint64_t first, std::span<uint> places, Pair* sorted) {
   if (keys.size() * sparse < places.size()) {
     std::ranges::sort(keys);
@@ -76,7 +76,7 @@ void PairSort::sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, in
                 {places.data() + size_t(omp_get_thread_num()) * firsts, firsts}, sorted.data() + begin_[b]);
 }
 
-// Keys into buckets of consecutive first spheres.
+// Splits the keys into buckets of consecutive first spheres.
 void PairSort::split(size_t buckets, int threads) {
   cursor_.assign(pieces_.size() * buckets, 0);
   begin_.assign(buckets + 1, 0);

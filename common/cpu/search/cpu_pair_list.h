@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pair lists in canonical order without comparing all with all.
+// Sorts pair lists into canonical order, in buckets.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace spherepair {
 
 class PairSort {
  public:
-  // The pairs of several lists, each given as first << 32 | second, of spheres below n. Throws std::bad_alloc.
+  // Sorts the pairs of several lists. Each pair is first << 32 | second, with spheres below n. Throws std::bad_alloc.
   void sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, int threads, std::vector<Pair>& sorted);
 
  private:

@@ -16,9 +16,9 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t pairs_per_thread = 1u << 16;  // that are worth a second thread
+constexpr uint64_t pairs_per_thread = 1u << 16;  // number of pairs that is worth another thread
 
-// What one thread has found. Sums do not depend on the order, so neither do the results on the number of threads.
+// The pairs that one thread finds. Sums do not depend on the order, so results do not depend on the number of threads.
 class Finder {
  public:
   Finder(const SearchInput& search, GrowingList<Pair>& list)
@@ -49,7 +49,7 @@ class Finder {
   }
 
  private:
-  // Kept out of the loops over all pairs, whose registers it would take.
+  // Decides a pair that is not apart. It is not inlined, as it would take registers from the loops over all pairs.
   [[gnu::noinline]] void close(vec4 a, vec4 b, uint i, uint j, uint verdict) {
     if (verdict == UNDECIDED && !(search_.params.search.defer_undecided && resolve_undecided(a, b))) return;
     ++totals_.pairs;
@@ -74,7 +74,7 @@ class Finder {
   GrowingList<Pair>& list_;
 };
 
-// The paper's code 2 on the spheres from first to last.
+// Runs the paper's code 2 on the spheres from `first` to before `last`.
 template <bool equal_radii>
 void double_loop(std::span<const vec4> spheres, uint first, uint last, Finder& finder) {
   for (uint i = first; i < last; ++i) {
@@ -102,7 +102,7 @@ void load_rows(const SearchInput& search, uint first, float share, RowTile& rows
   }
 }
 
-// Returns the number of columns; behind the last sphere, it repeats to the end of the tile.
+// Loads a tile and returns its number of columns. The last sphere repeats to the end of the tile.
 uint load_columns(const SearchInput& search, uint start, ColumnTile& tile) {
   const uint columns = std::min<uint>(tile_columns, uint(search.positions.size()) - start);
   for (uint c = 0; c < tile_columns; ++c) {
@@ -138,7 +138,7 @@ void test_row_block(const SearchInput& search, uint first, Tiles& tiles, Finder&
   }
 }
 
-// Runs test_block(block, finder, tiles) for every block, by as many threads as asked for.
+// Runs test_block(block, tiles, finder) for every block on `threads` threads.
 template <typename TestBlock>
 PairsFound search_blocks(const SearchInput& search, int threads, uint64_t blocks, TestBlock test_block) {
   PairsFound found;
@@ -148,7 +148,7 @@ PairsFound search_blocks(const SearchInput& search, int threads, uint64_t blocks
 #pragma omp parallel num_threads(threads)
   {
     const size_t own = size_t(omp_get_thread_num());
-    std::optional<Finder> finder;  // none where memory ends
+    std::optional<Finder> finder;  // none if memory runs out
     errors.run(own, [&] { finder.emplace(search, lists[own]); });
     Tiles tiles;
 #pragma omp for schedule(dynamic, 1)
@@ -171,7 +171,7 @@ PairsFound search_sequential(const SearchInput& search) {
   });
 }
 
-// Few spheres are met by one thread: to wake the others costs as much as some 10^5 pairs.
+// Tests all pairs. Few spheres are left to one thread: waking the others costs as much as some 10^5 pairs.
 PairsFound search_parallel(const SearchInput& search) {
   const uint64_t n = search.positions.size();
   const int threads = team_of(n * n / 2 / pairs_per_thread, search.threads);

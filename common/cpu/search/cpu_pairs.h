@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finding colliding pairs on the CPU.
+// Finds colliding pairs on the CPU.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -24,8 +24,8 @@ PairsFound search_sequential(const SearchInput& search);  // the paper's code 2:
 PairsFound search_parallel(const SearchInput& search);    // all threads, SIMD, each unordered pair once
 PairsFound search_groups(const SearchInput& search);      // within groups of options.block consecutive spheres
 
-// Those that touch within the next step (swept.h), of the near pairs: those of spheres around the paths, which begin
-// with these velocities.
+// Finds the pairs that touch within the next step (swept.h). near: colliding pairs of the spheres around the paths,
+// which begin with these velocities.
 PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities, std::span<const Pair> near);
 
 }  // namespace spherepair

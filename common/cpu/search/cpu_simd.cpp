@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One body, compiled for several instruction sets; the program picks one when it starts.
+// Compiles one body for several instruction sets; the program picks one when it starts.
 #include "common/cpu/search/cpu_simd.h"
 
 #include "common/cpu/search/cpu_vectors.h"

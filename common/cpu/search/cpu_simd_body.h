@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Gram filter on vectors. cpu_simd.cpp includes this once for each instruction set, inside a namespace that says
-// what Floats, lanes, vectors, load, spread, fused, both and near_lanes are there: hence no include guard.
+// The Gram filter on vectors. cpu_simd.cpp includes this file once for each instruction set, inside a namespace that
+// defines Floats, lanes, vectors, load, spread, fused, both and near_lanes; hence no include guard.
 
 inline void form_columns(ColumnTile& tile, vec4 origin, float share) {
   for (uint c = 0; c < tile_columns; ++c) {
@@ -13,8 +13,8 @@ inline void form_columns(ColumnTile& tile, vec4 origin, float share) {
   }
 }
 
-// A few vectors of columns stay in registers while all rows pass. A margin is negative where row and column cannot
-// collide; one branch asks for all columns at once, since a near one is rare.
+// Lists the columns near each row. A few vectors of columns stay in registers while all rows pass. A margin is negative
+// if row and column cannot collide. One branch tests all columns at once, since a near one is rare.
 template <bool equal_radii>
 inline void find_near_columns(const ColumnTile& tile, uint columns, const RowTile& rows, NearList& list) {
   static_assert(vectors * lanes >= least_columns && tile_columns % (vectors * lanes) == 0);

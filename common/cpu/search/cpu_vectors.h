@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors of floats of each instruction set under the same names. Fused operations are named here, so the files that
-// use them need no contraction; where there are none, the filters' bounds cover separate rounding alike.
+// Gives vectors of floats of each instruction set the same names. Fused operations are explicit, so the files that use
+// them need no contraction. On sets without fused operations the filters' bounds cover separate rounding alike.
 #pragma once
 
 #include "common/shared/portable.h"
@@ -8,7 +8,7 @@
 #ifdef __x86_64__
 #include <immintrin.h>
 
-// Between these two, functions are compiled for an instruction set that the rest of the program may not count on.
+// Between these two macros, functions are compiled for an instruction set that the rest of the program must not use.
 #define CPU_PRAGMA(text) _Pragma(#text)
 #ifdef __clang__
 #define BEGIN_TARGET(indices) CPU_PRAGMA(clang attribute push(__attribute__((target(indices))), apply_to = function))
