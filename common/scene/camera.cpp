@@ -32,7 +32,7 @@ Axes axes_of(const Camera& camera) {
   return {right, glm::cross(right, forward), forward};
 }
 
-// Directions at azimuth 0 and 90 degrees.
+// The horizontal directions at azimuth 0 and 90 degrees, and upwards.
 struct Horizon {
   glm::dvec3 start, quarter, up;
 };
@@ -148,7 +148,7 @@ View make_view(const Camera& camera, const Look& look, uint width, uint height, 
   v.pixel = float(1 / focal);
   v.centre_x = float(width / 2.0 - 0.5 + jitter[0]);
   v.centre_y = float(height / 2.0 - 0.5 + jitter[1]);
-  v.half_x = above((width / 2.0 + 2) / focal);  // the jitter and a pixel are within it
+  v.half_x = above((width / 2.0 + 2) / focal);  // leaves room for the jitter and a pixel
   v.half_y = above((height / 2.0 + 2) / focal);
   v.norm_x = above(std::hypot(1.0, double(v.half_x)) * (1 + 1e-6));
   v.norm_y = above(std::hypot(1.0, double(v.half_y)) * (1 + 1e-6));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a scene with contacts cannot be moved.
+// Says why a scene with contacts cannot be moved.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,19 +11,19 @@
 namespace spherepair {
 namespace {
 
-constexpr double fewest_steps = 2;  // of a contact
+constexpr double fewest_steps = 2;  // in a contact
 constexpr float least_restitution = 0.1f;
 constexpr double most_drag = 0.4;               // a step: positions are wrong by a 24th of its square
-constexpr double slowest_step = 0x1p-30;        // of the smallest radius: less is none, see stays()
-constexpr double least_range = 128;             // of speeds, from the fastest sphere's to where spheres stay
-constexpr double least_factor = 0x1p-71;        // loss in half a step: scaled() multiplies by 2^-72 and more
-constexpr double least_loss = 256;              // units of momentum, of the fastest sphere in half a step
-constexpr double most_units = 0x1p63 - 0x1p57;  // of sums of impulses: room for the roundings of all of them
+constexpr double slowest_step = 0x1p-30;        // smallest radii in a step: slower counts as at rest, see stays()
+constexpr double least_range = 128;             // ratio of the fastest speed to the one at which spheres stay
+constexpr double least_factor = 0x1p-71;        // loss in half a step: scaled() multiplies by at least 2^-72
+constexpr double least_loss = 256;              // units of momentum that the fastest sphere loses in half a step
+constexpr double most_units = 0x1p63 - 0x1p57;  // for sums of impulses, leaving room for their roundings
 
 double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
-// What momentum and impulses of a sphere can add up to. A contact's alone is less than a hundredth of it, far from
-// where integer_of saturates.
+// Returns an upper bound on a sphere's momentum plus impulses, in units. One contact alone is less than a hundredth of
+// it, far from where integer_of saturates.
 double impulse_units(const Scene& scene) {
   const ContactOptions& contact = scene.contact;
   return std::ldexp(greatest_impulse_sum({contact.law, double(contact.stiffness), double(scene.restitution),
@@ -31,7 +31,7 @@ double impulse_units(const Scene& scene) {
                     contact.momentum_exponent);
 }
 
-// What holds for every step of a run.
+// Checks what holds for every step of a run.
 std::string why_no_law(const Scene& scene) {
   const ContactOptions& contact = scene.contact;
   const Radii r = radii_of(scene);
@@ -68,7 +68,7 @@ std::string why_no_room(const Scene& scene) {
   return "";
 }
 
-// Checked at the start only: later in a run spheres may be faster, with shorter contacts, and farther out.
+// Checks the start only: later in a run spheres may be faster, with shorter contacts, and farther out.
 std::string why_no_start(const Scene& scene) {
   const Radii r = radii_of(scene);
   const double time = contact_time(scene);
@@ -88,8 +88,7 @@ std::string why_no_start(const Scene& scene) {
   }
   return "";
 }
-// That drag acts on the fastest sphere as it should, to 1 % and better: where it moves at all, and each step's loss of
-// momentum is many units.
+// Checks that drag acts on the fastest sphere to within 1 %: it moves, and each step's loss of momentum is many units.
 std::string why_no_drag(const Scene& scene) {
   const double drag = double(scene.contact.drag), dt = double(scene.dt), radius = double(radii_of(scene).smallest);
   double fastest = 0;
@@ -102,7 +101,7 @@ std::string why_no_drag(const Scene& scene) {
         "with drag a sphere stays in place below {:.3g} m/s at dt = {:.4g} s, and the fastest moves at {:.3g} m/s: "
         "omit --drag, or give --dt {:.3g} or more",
         slowest_step * radius / dt, dt, fastest,
-        std::max(1.006 * shortest, 1.5 * dt * std::sqrt(least_loss / units)));  // units grow with the square of dt
+        std::max(1.006 * shortest, 1.5 * dt * std::sqrt(least_loss / units)));  // units grow with dt squared
   if (const double enough = 1.006 * drag * least_loss / units; units < least_loss)
     return fmt::format(
         "the drag of {} 1/s is too weak at dt = {:.4g} s: half a step takes {:.3g} units of the momentum of a sphere "

@@ -13,8 +13,8 @@ namespace spherepair {
 namespace {
 
 constexpr double wanted_overlap = 0.01;                // of the largest radius
-constexpr double slowest_start = 1e-6;                 // in smallest radii a second: less is at rest
-constexpr int position_bits = 51, momentum_bits = 56;  // used at the start, and of the fastest sphere
+constexpr double slowest_start = 1e-6;                 // smallest radii a second: slower counts as at rest
+constexpr int position_bits = 51, momentum_bits = 56;  // for positions at the start, and the fastest sphere's momentum
 
 double squared(double x) { return x * x; }
 
@@ -54,11 +54,11 @@ void choose_box(Scene& scene, bool walls) {
   }
 }
 
-// Positions and walls then take 51 of 63 bits, and the fastest sphere's momentum 56.
+// Chooses units with which positions and walls take 51 of 63 bits and the fastest sphere's momentum 56.
 void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
   scene.contact.unit_exponent = position_bits - bits_above(extent_of(scene));
-  const int damped = damping_ratio(double(scene.restitution)) > 1;  // one bit more for impulses
+  const int damped = damping_ratio(double(scene.restitution)) > 1;  // impulses need one more bit
   scene.contact.momentum_exponent =
       momentum_bits - damped - bits_above(sphere_mass(double(r.largest)) * double(r.smallest) / double(scene.dt));
   scene.contact.skin = skin_of(scene);
@@ -78,7 +78,7 @@ double highest_speed(const Scene& scene) {
   const Radii r = radii_of(scene);
   double highest = slowest_start * double(r.smallest);
   for (uint64_t i = 0; i < scene.size(); ++i) highest = std::max(highest, highest_speed_of(scene, i));
-  const double wall = scene.contact.law == ContactLaw::quartic ? 0.25 : 1;  // of the force between two spheres
+  const double wall = scene.contact.law == ContactLaw::quartic ? 0.25 : 1;  // relative to the force between two spheres
   const double pressed = std::sqrt(std::abs(double(scene.gravity)) * wanted_overlap * double(r.largest) / (2 * wall));
   highest = std::max(highest, pressed);
   return highest > slowest_start * double(r.smallest) ? highest : double(r.smallest);
@@ -147,7 +147,7 @@ double extent_of(const Scene& scene) {
 int coarsest_units(const Radii& radii) { return 29 - int(std::floor(std::log2(radii.smallest))); }
 
 bool units_are_fine(const Scene& scene) {
-  if (!(radii_of(scene).smallest > 0)) return true;  // refused as such
+  if (!(radii_of(scene).smallest > 0)) return true;  // rejected elsewhere
   const int finest = position_bits - bits_above(extent_of(scene));
   return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
 }

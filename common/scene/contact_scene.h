@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a scene: stiffness, walls, time step and units chosen from its spheres, its checks and its parameters.
+// Contacts of a scene: chooses stiffness, walls, time step and units from its spheres; checks; parameters.
 #pragma once
 
 #include <algorithm>
@@ -16,41 +16,41 @@ namespace spherepair {
 struct ContactChoice {
   ContactLaw law = ContactLaw::none;
   std::optional<float> stiffness =
-      {};  // of spheres of this density; none: such that the fastest sphere, falls included, enters by 1 % of a radius
-  std::optional<float> dt = {};  // none: of the shortest contact, see default_steps
+      {};  // for this density; none: the fastest sphere, falls included, enters by 1 % of a radius
+  std::optional<float> dt = {};  // seconds; none: a fraction of the shortest contact, see default_steps
   float density = water;         // kg/m^3
   float drag = 0;                // in 1/s, see ContactOptions
   bool sleeping = true;
-  bool walls = false;               // around the spheres as they stand, where the scene has none of its own ...
-  std::optional<WallBox> box = {};  // ... or these, the lowest of which is the plane
+  bool walls = false;               // close a box around the spheres if the scene has none ...
+  std::optional<WallBox> box = {};  // ... or close this one; its lowest face is the plane
 };
 
-// Sets the scene's contacts, its motion and its time step. Throws std::invalid_argument that names what is wrong.
+// Sets the scene's contacts, motion and time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
-// Forces and energies over those of spheres of water.
+// Returns the factor from forces and energies of spheres of water to the scene's.
 inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }
 
-std::optional<WallBox> box_of(const Scene& scene);  // that its walls close
+std::optional<WallBox> box_of(const Scene& scene);  // the box of its walls
 
 Radii radii_of(const Scene& scene);
 
-// A sphere's speed at the start, or after a fall onto the plane.
+// Returns a sphere's speed after a fall from its start onto the plane, in m/s.
 double highest_speed_of(const Scene& scene, uint64_t i);
 
-// The speed that the default stiffness stops: the highest of all, but at least such that the weight of a largest sphere
-// alone presses it in by 1 %. Where nothing moves, a smallest radius a second.
+// Returns the speed in m/s that the default stiffness stops: the highest of all spheres. It is at least the speed for
+// which the weight of a largest sphere alone presses it in by 1 %. If nothing moves, it is a smallest radius a second.
 double highest_speed(const Scene& scene);
 
 double farthest_coordinate(const vec4& sphere);
 
-// The largest coordinate of spheres and walls.
+// Returns the largest absolute coordinate of spheres, walls and plane, in metres.
 double extent_of(const Scene& scene);
 
-// The exponent of units in which a gap of the smallest radius is not cut off, see gap_of.
+// Returns the exponent of the coarsest units in which gap_of does not cut off a gap of the smallest radius.
 int coarsest_units(const Radii& radii);
 
-// The sphere with the largest of(i).
+// Returns the sphere with the largest of(i).
 template <typename Of>
 uint64_t sphere_with_most(const Scene& scene, Of of) {
   return std::ranges::max(std::views::iota(uint64_t(0), scene.size()), {}, of);
@@ -58,36 +58,37 @@ uint64_t sphere_with_most(const Scene& scene, Of of) {
 
 constexpr double least_skin = 1.0 / 32, most_skin = 1;  // of a radius
 
-// Whether units of length that reach to the farthest sphere and to the plane are fine enough for the smallest radius.
+// Whether units of length that reach the farthest sphere and the plane are fine enough for the smallest radius.
 bool units_are_fine(const Scene& scene);
 
-// The shortest contact that spheres from the smallest to the largest radius can have, in seconds; of hertz, whose
-// contacts depend on the speed, at the highest.
+// Returns the shortest contact, in seconds, between spheres of the smallest to the largest radius; for hertz, whose
+// contacts depend on the speed, at the highest speed.
 double contact_time(const Scene& scene);
 
-// Thickness of the skin around near spheres, in radii (skin.h): as thin as a list of pairs is short, but four times
-// what rounding of the farthest centres may take of it. A run keeps that of its start.
+// Returns the thickness of the skin around near spheres, in radii (skin.h): as thin as keeps the list of pairs short,
+// but at least four times the rounding error of the farthest centres. A run keeps the skin of its start.
 float skin_of(const Scene& scene);
 
-// Why a scene with contacts cannot be moved; empty where it can. Of a resumed one only what holds for the whole run.
+// Says why a scene with contacts cannot be moved; empty if it can. A resumed run is checked only for what holds
+// throughout.
 std::string why_no_contacts(const Scene& scene, Origin origin = Origin::start);
 
 ContactParams contact_params(const Scene& scene);
 
-// Steps multiply by float32 factors made of radii, stiffness and time step. Says which of them would be 0 or infinite;
-// empty if none would.
+// Says which of a step's float32 factors, made of radii, stiffness and time step, would be 0 or infinite; empty if none
+// would.
 std::string why_beyond_float32(const Scene& scene);
 
-// Whether spheres can come to rest to the bit and are then passed over: with drag, and no other way (NOTES/contacts).
+// Whether spheres can come to rest to the bit, so that steps skip them. Only drag does that (NOTES/contacts).
 inline bool may_sleep(const Scene& scene) { return scene.contact.drag > 0 && scene.contact.sleeping; }
 
-// The spheres with radii grown by the skin, whose colliding pairs are those near enough to touch in many steps.
+// Returns the spheres with radii grown by the skin. Their colliding pairs are the near pairs, which serve many steps.
 Scene grown_scene(const Scene& scene);
 
-// Positions and momenta at the start, as SLOT_WIDE has them. Momenta are those half a step before the positions.
+// Returns positions and momenta at the start in the form of SLOT_WIDE. Momenta are half a step older than positions.
 std::vector<uint> fixed_state(const Scene& scene);
 
-// A sphere of such a state, all of them, and back.
+// Convert one sphere, or all, from such a state, and back.
 inline Body load_body(const std::vector<uint>& wide, const std::vector<vec4>& positions, uint64_t i) {
   const uint64_t n = positions.size();
   const auto word = [&](uint64_t k) { return load_real<int64_t>(wide, k * n + i); };

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double densest_lattice = 0.52;  // packing fraction: pi / 6 and some room
 
-// From -1 to 1, by the seed and the number alone.
+// Returns a number from -1 to 1 that depends on the seed and `number` alone.
 float any(const SceneOptions& o, uint64_t number) {
   return float(splitmix64(splitmix64(o.seed) + number) >> 40) * 0x1p-23f - 1.0f;
 }
 
 float largest_radius(const SceneOptions& o) { return o.radius * o.radius_ratio; }
 
-// The largest float whose cube, rounded to double, is no larger: no libm can change it.
+// Returns the largest float whose cube, rounded to double, is not above `value`, whatever the libm.
 float cube_root(double value) {
   const auto cube = [](float x) { return double(x) * double(x) * double(x); };
   float root = float(std::cbrt(value));
@@ -31,8 +31,8 @@ float cube_root(double value) {
   return root;
 }
 
-// A lattice of so many cells along x and z, with as many layers along y as are needed. Each sphere is moved within its
-// cell.
+// A lattice of along_x by along_z cells, with as many layers along y as needed. Each sphere is moved at random within
+// its cell.
 struct Lattice {
   uint64_t along_x, along_z;
   float gap;
@@ -92,7 +92,7 @@ void make_column(Scene& scene, const SceneOptions& o) {
   fill(scene, o, {side, side, 2.05f * largest_radius(o)}, 0.01f);
 }
 
-// Pairs that run into each other head-on, each pair alone; the one without a partner stands still.
+// Pairs of spheres that run into each other head-on, far from other pairs. An odd last sphere stands still.
 void make_collide2(Scene& scene, const SceneOptions& o) {
   const float apart = 2.2f * largest_radius(o), alone = 8 * largest_radius(o);
   const uint64_t side = cube_side((o.n + 1) / 2);
@@ -108,7 +108,7 @@ void make_collide2(Scene& scene, const SceneOptions& o) {
   scene.plane = o.offset - alone;
 }
 
-// A row at rest, its neighbours a hundredth of a radius apart, and the first sphere on its way to them.
+// A row of spheres at rest, a hundredth of a radius apart, and the first one moving towards them.
 void make_newton(Scene& scene, const SceneOptions& o) {
   for (uint64_t i = 0; i < o.n; ++i) {
     const float x = float(i) * 2.01f * largest_radius(o) + o.offset;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes made for contacts that push.
+// Scenes for contacts that push.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -13,7 +13,7 @@ struct SceneMaker {
 const std::vector<SceneMaker>& contact_makers();
 bool made_for_contacts(const std::string& name);
 
-// Square layers, each in the hollows of the one below and touching it, in a box as wide as the even layers. With
+// Makes square layers, each in the hollows of the one below and touching it, in a box as wide as the even layers. With
 // --contact they come to rest in some thousand steps, the scene bed in a million.
 Scene packed_bed(uint64_t n, uint64_t layers);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers with their noun, in text for people.
+// Counts with their nouns, for people to read.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace spherepair {
 
-// "1 sphere", "2 spheres"; a plural that does not end in s is given.
+// Returns "1 sphere" or "2 spheres". many: the plural, if it does not end in s.
 inline std::string counted(uint64_t n, const std::string& one, const std::string& many = "") {
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory of the CPU's grid: kept between calls, never cleared, in large pages where the system has them, since
-// scattered writes to small pages wait for their translation and first touches for the kernel.
+// Memory for the CPU's grid: kept between calls, never cleared, in large pages if the system has them. Scattered writes
+// to small pages are slowed by address translation, and first touches of pages by the operating system.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +16,7 @@ namespace spherepair {
 
 constexpr size_t small_page = 4096, large_page = 2 << 20;  // bytes
 
-// Advice: a failure costs time only.
+// Asks for large pages. A failure only costs time.
 inline void advise_large_pages(void* memory, size_t bytes) {
   const size_t begin = (reinterpret_cast<uintptr_t>(memory) + small_page - 1) / small_page * small_page;
   const size_t end = (reinterpret_cast<uintptr_t>(memory) + bytes) / small_page * small_page;
@@ -29,13 +29,13 @@ void reserve_large(std::vector<T>& values, size_t n) {
   advise_large_pages(values.data(), values.capacity() * sizeof(T));
 }
 
-// Memory that is kept when it shrinks and never cleared.
+// Memory that stays allocated when it shrinks and is never cleared.
 template <typename T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  // Room for n values and, behind them, for a whole vector to be read. What was there is lost when it grows.
+  // Makes room for n values, and for reading a whole vector after them. Growing loses the contents.
   void resize(size_t n) {
     size_ = n;
     const size_t needed = n * sizeof(T) + slack, page = needed < large_page ? small_page : large_page;

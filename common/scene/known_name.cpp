@@ -8,7 +8,7 @@
 namespace spherepair {
 namespace {
 
-// Optimal string alignment: Levenshtein's edits and the swap of two neighbours.
+// Returns the optimal string alignment distance: Levenshtein's edits plus swaps of neighbours.
 size_t edits_between(const std::string& a, const std::string& b) {
   std::vector<std::vector<size_t>> edits(a.size() + 1, std::vector<size_t>(b.size() + 1));
   for (size_t i = 0; i <= a.size(); ++i)
@@ -28,7 +28,7 @@ size_t edits_between(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
-  constexpr size_t longest = 64;  // of what could be a misspelt name
+  constexpr size_t longest = 64;  // longest name that may be a misspelling
   if (name.empty() || name.size() > longest) return {};
   size_t least = name.size() / 3 + 1;
   std::string nearest;

@@ -20,7 +20,7 @@ constexpr std::array<const char*, 4> precision_names = {"float32", "compensated"
 constexpr std::array<const char*, 4> law_names = {"none", "spring", "quartic", "hertz"};
 constexpr std::array<ImpulseSums, 3> impulse_sums = {ImpulseSums::integers, ImpulseSums::in_order,
                                                      ImpulseSums::atomics};
-constexpr size_t free_methods = 7, free_precisions = 3;  // the first of these: without contacts
+constexpr size_t free_methods = 7, free_precisions = 3;  // the first entries: without contacts
 static_assert(uint(MotionMethod::euler) == MOTION_EULER && uint(MotionMethod::symplectic) == MOTION_SYMPLECTIC &&
               uint(MotionMethod::paper) == MOTION_PAPER && uint(MotionMethod::paper_clamp) == MOTION_PAPER_CLAMP &&
               uint(MotionMethod::impact_linear) == MOTION_IMPACT_LINEAR &&

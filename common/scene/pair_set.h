@@ -18,7 +18,8 @@ struct Pair {
 };
 static_assert(sizeof(Pair) == sizeof(uvec2));
 
-// Order-independent: the sums modulo 2^64 of two unrelated 64-bit mixes of first << 32 | second (hash.h).
+// A fingerprint that does not depend on the order: the sums modulo 2^64 of two unrelated 64-bit mixes of
+// first << 32 | second (hash.h).
 struct Fingerprint {
   uint64_t a = 0, b = 0;
   bool operator==(const Fingerprint&) const = default;
@@ -26,7 +27,7 @@ struct Fingerprint {
 
 Fingerprint fingerprint(std::span<const Pair> pairs);
 
-// The first pair, in canonical order, that is in one of two canonically ordered sets only.
+// The first pair, in canonical order, that is in only one of two canonically ordered sets.
 struct Difference {
   Pair pair;
   bool in_left;  // else in right

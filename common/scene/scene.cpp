@@ -15,10 +15,10 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t many = 1 << 16;  // spheres from which on several threads share the work
-constexpr float box_side = 20.0f;   // the paper's, which reproduces its counts of colliding spheres
+constexpr uint64_t many = 1 << 16;  // from this many spheres on, several threads share the work
+constexpr float box_side = 20.0f;   // the paper's: gives its counts of colliding spheres
 
-// A stream of numbers for each purpose, each indexed by sphere: nothing depends on the order of evaluation.
+// Independent random streams, each indexed by sphere: nothing depends on the order of evaluation.
 enum class Stream : uint64_t {
   x,
   y,
@@ -34,7 +34,7 @@ enum class Stream : uint64_t {
   octave
 };
 
-// With 11 the default seed falls inside all four ranges of colliding spheres that the paper gives, as 36 % of seeds do.
+// With 11 the default seed is in all four ranges of colliding spheres that the paper gives, as 36 % of seeds are.
 uint64_t hash(const SceneOptions& o, Stream stream, uint64_t index) {
   return splitmix64(splitmix64(o.seed + 11 + uint64_t(stream) * 0x9E3779B97F4A7C15ul) + index);
 }
@@ -43,7 +43,7 @@ float between(const SceneOptions& o, Stream stream, uint64_t index, float low, f
   return low + (high - low) * unit(hash(o, stream, index));
 }
 
-// The float32 nearest to the cube root, found by comparing cubes of 25-bit midpoints: no libm can change it.
+// Returns the float32 nearest to the cube root. It compares cubes of 25-bit midpoints, so that no libm can change it.
 float cube_root(double value) {
   float root = float(std::cbrt(value));
   const auto cube_of_midpoint = [](float a, float b) {
@@ -79,8 +79,8 @@ void make_random(Scene& scene, const SceneOptions& o) {
   }
 }
 
-// A group is a block of spheres, 16 to a row, 16 rows to a layer, which nowhere touch each other; it stands at a hashed
-// place in the box and moves as one.
+// Groups of spheres that nowhere touch each other within the group: 16 to a row, 16 rows to a layer. A group starts at
+// a random place in the box and moves as one.
 void make_aligned(Scene& scene, const SceneOptions& o) {
   const uint64_t size = o.group_size ? o.group_size : 128;
   const float gap = 2.5f * o.radius;
@@ -96,7 +96,7 @@ void make_aligned(Scene& scene, const SceneOptions& o) {
   }
 }
 
-// Uniform centres in [0, L)^3 at the packing fraction asked for.
+// Uniform centres in [0, L)^3 at the given packing fraction.
 void make_uniform(Scene& scene, const SceneOptions& o) {
   const float side = packed_side(o);
   const auto coordinate = [&](uint64_t k) {
@@ -114,7 +114,7 @@ void make_far(Scene& scene, SceneOptions o) {
   make_uniform(scene, o);
 }
 
-// Spacing 2r: every neighbour along an axis is tangent, an exact tie while the multiples of 2r are floats.
+// A lattice with spacing 2r: neighbours along an axis are tangent, exactly so while the multiples of 2r are floats.
 void make_lattice(Scene& scene, const SceneOptions& o) {
   const uint64_t side = lattice_side(o.n);
   const float gap = 2 * o.radius;
@@ -125,9 +125,9 @@ void make_lattice(Scene& scene, const SceneOptions& o) {
 
 float nudged(float x, int ulps) { return std::bit_cast<float>(std::bit_cast<uint32_t>(x) + uint32_t(ulps)); }
 
-// Pairs of spheres about to touch, far from each other pair: half of them stand along x at exactly 2r, half in a hashed
-// direction at 2r rounded, and half of all are then moved by up to 8 ulp. Steps along y and z are multiples of 2r/256,
-// exact far from the origin, while x stays near 0, where an ulp is small enough to mislead float32.
+// Pairs of spheres about to touch, far from all other pairs. Half of the pairs are along x at exactly 2r, half in a
+// random direction at 2r rounded; then half of all are moved by up to 8 ulp along x. Steps along y and z are multiples
+// of 2r/256, exact far from the origin. x stays near 0, where an ulp is small enough to mislead float32.
 void make_grazing(Scene& scene, const SceneOptions& o) {
   const uint64_t side = std::max<uint64_t>(uint64_t(std::ceil(std::sqrt(double(o.n) / 2))), 1);
   const float reach = 2 * o.radius;
@@ -147,7 +147,7 @@ void make_grazing(Scene& scene, const SceneOptions& o) {
   }
 }
 
-// Clusters of about 64 spheres, denser in the middle, in the box of the packing fraction.
+// Clusters of about 64 spheres, denser in the middle, in a box for the packing fraction.
 void make_clustered(Scene& scene, const SceneOptions& o) {
   const float side = packed_side(o);
   const uint64_t clusters = std::max<uint64_t>(o.n / 64, 1);
@@ -174,7 +174,7 @@ void make_one_cell(Scene& scene, const SceneOptions& o) {
   }
 }
 
-// Radii from radius to radius*ratio, evenly spread over the octaves between them.
+// Sets radii from radius to radius*ratio, spread evenly over the octaves between them.
 void vary_radii(Scene& scene, const SceneOptions& o) {
   int octaves = 0;
   while (std::ldexp(1.0f, octaves) < o.radius_ratio) ++octaves;
@@ -187,7 +187,7 @@ void vary_radii(Scene& scene, const SceneOptions& o) {
   scene.equal_radii = o.n < 2;
 }
 
-// What the paper does not fix: slow vertical motion, and a plane that no sphere touches yet.
+// Sets what the paper leaves open: slow vertical motion, and a plane that no sphere touches yet.
 void finish_test_scene(Scene& scene, const SceneOptions& o) {
   float lowest = 0;
   scene.velocities.resize(o.n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes: where spheres start. Every number comes from an integer hash of (seed, index), so a scene has the same bits
-// on every machine and with every compiler.
+// Scenes: where spheres start. Every random number is an integer hash of (seed, index), so a scene has the same bits on
+// every machine and with every compiler.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace spherepair {
 
-// n spheres; positions in metres with the radius in w, velocities in metres per second.
+// n spheres: positions in metres with the radius in w, velocities in metres per second.
 struct Scene {
   std::string name;
   std::vector<vec4> positions = {}, velocities = {};
@@ -21,7 +21,7 @@ struct Scene {
   float gravity = -9.81f;    // along y, metres per second squared
   float dt = 0x1p-6f;        // seconds; a power of two keeps v*dt exact
   float restitution = 1.0f;  // 0..1
-  bool equal_radii = true;   // all radii have the same bits
+  bool equal_radii = true;   // all radii have equal bits
   MotionOptions motion = {};
   ContactOptions contact = {};  // chosen by choose_contacts (contact_scene.h)
 
@@ -33,9 +33,9 @@ struct SceneOptions {
   uint64_t n = 16384;
   uint64_t seed = 20251121;
   float radius = 0.5f;
-  float radius_ratio = 1.0f;      // largest radius over smallest; radii are log-uniform between radius and radius*ratio
-  double packing_fraction = 0.3;  // of `uniform`
-  uint groups = 0, group_size = 0;  // of `aligned`: the paper's m x n; 0 x 0 takes groups of 128 or fewer
+  float radius_ratio = 1.0f;        // largest radius over smallest; radii are log-uniform in between
+  double packing_fraction = 0.3;    // of `uniform`
+  uint groups = 0, group_size = 0;  // of `aligned`: the paper's m x n; 0 x 0: groups of 128 or fewer
   float offset = 0.0f;              // added to every coordinate of every centre
   MotionOptions motion = {};
   float dt = 0x1p-6f, restitution = 1.0f;
@@ -47,20 +47,20 @@ struct SceneKind {
 };
 const std::vector<SceneKind>& scene_kinds();
 
-// Both throw std::invalid_argument naming the option that is wrong and what it may be.
+// Both throw std::invalid_argument that names the wrong option and its allowed values.
 void check_options(const SceneOptions& options);
 Scene make_scene(const SceneOptions& options);
 
-// Throws std::invalid_argument when a number is not finite or a radius negative: how many, the first one's index and
-// why. Scenes that move have bounds on numbers, time step, restitution and gravity as well (scene_bounds.h), which the
-// first move checks.
+// Throws std::invalid_argument if a number is not finite or a radius is negative: how many, the first one's index and
+// why. For scenes that move, the first move also checks bounds on numbers, time step, restitution and gravity
+// (scene_bounds.h).
 void check_scene(const Scene& scene);
 
-// How many spheres stall: along some axis the velocity is not 0, but a step changes no bit of the float32 position. 0
-// for other precisions and for `anchored`.
+// Returns the number of spheres that stall: along some axis the velocity is not 0, but a step changes no bit of the
+// float32 position. Other precisions and `anchored` give 0.
 uint64_t stalled_spheres(const Scene& scene);
 
-// A 64-bit hash of the bits of all positions and velocities, in order, and of the words of a wide state.
+// Returns a 64-bit hash of the bits of all positions and velocities, in order, and of the words of a wide state.
 uint64_t state_hash(const std::vector<vec4>& positions, const std::vector<vec4>& velocities,
                     const std::vector<uint>& wide = {});
 

@@ -14,8 +14,8 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t many = 1 << 16;        // spheres from which on several threads share the work
-constexpr uint64_t hash_block = 1 << 20;  // recorded hashes of smaller states are those of a single chain
+constexpr uint64_t many = 1 << 16;        // from this many spheres on, several threads share the work
+constexpr uint64_t hash_block = 1 << 20;  // hashes of smaller states keep their recorded value: one chain
 
 constexpr const char* dt_bounds = "dt is {} s, but must be from 2^-60 to 2^20";
 bool is_time_step(float dt) { return dt >= shortest_step && dt <= longest_step; }
@@ -108,7 +108,7 @@ uint64_t stalled_spheres(const Scene& scene) {
   if (scene.motion.precision != Precision::float32 || scene.motion.method == MotionMethod::anchored) return 0;
   uint64_t stalled = 0;
   const auto lost = [&](float x, float v) { return v != 0 && x + v * scene.dt == x; };
-  const float gained = scene.gravity * scene.dt;  // which moves on what is about to turn
+  const float gained = scene.gravity * scene.dt;  // moves a sphere that is about to turn
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const vec4 &at = scene.positions[i], &v = scene.velocities[i];
     stalled += lost(at.x, v.x) || (lost(at.y, v.y) && lost(at.y, v.y + gained)) || lost(at.z, v.z);
@@ -126,7 +126,7 @@ uint64_t hash_of(std::span<const vec4> values, uint64_t sum) {
   return sum;
 }
 
-// A chain from value to value cannot be shared out, so blocks have chains of their own and a further one joins them.
+// Hashes blocks in chains of their own, which another chain joins: one long chain could not be shared by threads.
 uint64_t hash_by_blocks(std::span<const vec4> values, uint64_t sum) {
   if (values.size() <= hash_block) return hash_of(values, sum);
   std::vector<uint64_t> sums((values.size() + hash_block - 1) / hash_block);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float largest = std::numeric_limits<float>::max();
 
-// Rounded towards +infinity or -infinity; `value` may exceed the floats.
+// Round towards +infinity or -infinity; `value` may exceed the floats.
 float round_up(double value) {
   const float nearest = float(value);
   return double(nearest) >= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
@@ -20,13 +20,13 @@ float round_down(double value) {
   return double(nearest) <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
-// Three floats that add up to the double.
+// Returns three floats that add up to the double.
 vec4 split(double value) {
   const float high = float(value), middle = float(value - double(high));
   return {high, middle, float(value - double(high) - double(middle)), 0};
 }
 
-// How many times as long as the first 2^32 flights take, each e times as long as the one before.
+// Returns the time of the first 2^32 flights over the first one's, if each takes e times as long as the previous one.
 double flights_to_rest(double e) {
   double sum = 1, decay = e;
   for (int doubling = 0; doubling < 32; ++doubling, decay *= decay) sum *= 1 + decay;

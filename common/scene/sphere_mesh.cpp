@@ -35,7 +35,8 @@ struct Builder {
 
 }  // namespace
 
-// The icosahedron's corners are (0, +-1, +-golden) and its cyclic exchanges; a face is three corners at distance 2.
+// Makes the paper's sphere. The icosahedron's corners are (0, +-1, +-golden) and its cyclic permutations; a face is
+// three corners at distance 2.
 SphereMesh sphere_mesh() {
   Builder build;
   const double golden = (1 + std::sqrt(5.0)) / 2;
@@ -63,7 +64,7 @@ SphereMesh sphere_mesh() {
   return build.mesh;
 }
 
-// Corner 0 and the last are the poles; between them stand rings of `slices` corners.
+// Makes GLUT's sphere. The first and the last corner are the poles; between them are rings of `slices` corners.
 SphereMesh quadric_mesh(unsigned slices, unsigned stacks) {
   SphereMesh mesh;
   mesh.corners.push_back({0, 0, 1});

@@ -34,7 +34,8 @@ class Failure {
   double seconds() const { return unit() / double(params_.metres_per_second); }
 
  private:
-  // The longest of 1, 0.5, 0.2, 0.1, ... seconds in which this speed is at most half of what a step may have.
+  // Returns the longest of 1, 0.5, 0.2, 0.1, ... seconds in which a sphere of this speed moves at most half of the
+  // distance allowed.
   static double roomy_step(double speed, double most) {
     const double longest = most / (2 * speed), decade = std::pow(10, std::floor(std::log10(longest)));
     return decade * (longest >= 5 * decade ? 5 : longest >= 2 * decade ? 2 : 1);
@@ -42,7 +43,7 @@ class Failure {
   double unit() const { return std::ldexp(1.0, -params_.unit_exponent); }
   double metres(int64_t units) const { return double(units) * unit(); }
 
-  // A sphere where the step's contacts were found.
+  // Returns a sphere at the position where the step's contacts were found.
   Body before(uint64_t i) const {
     Body s = step_.bodies[i];
     const float mobility = mobility_of(s.radius, params_);
@@ -51,7 +52,7 @@ class Failure {
     return s;
   }
 
-  // By the deepest of its contacts, over the smaller radius.
+  // Describes the deepest contact of a sphere, relative to the smaller radius.
   std::string deep(uint64_t i) const {
     const Body a = before(i);
     const double radius = double(a.radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step with contacts could not do.
+// Reports steps with contacts that could not be made.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace spherepair {
 
-// The step that some spheres could not take: these have its momenta and stay where they were; the others have moved.
-// No step is taken after it.
+// A step that some spheres could not make. They have its momenta, but their old positions; all others have moved. No
+// step follows it.
 struct FailedStep {
-  std::vector<uint> faults;  // by FAULT_*, the first sphere of each, or ~0
-  uint64_t number = 0;       // from 1, those before a resumed run included
+  std::vector<uint> faults;  // the first sphere with each FAULT_*, or ~0
+  uint64_t number = 0;       // counted from 1, including steps before a resumed run
   std::vector<Body> bodies;
 };
 
-// Of words of SLOT_FAULT.
+// Whether words of SLOT_FAULT name any sphere.
 bool has_faults(const std::vector<uint>& words);
 
 // Throws std::invalid_argument with the step, the sphere, its depth, speed or position, and a remedy.

@@ -13,16 +13,16 @@ constexpr double density = 1000 * 4 * std::numbers::pi / 3;  // kg per cubed met
 double squared(double x) { return x * x; }
 double cubed_length(double x) { return x * x * x; }
 
-// More than a contact's force without the damper's, up to this overlap and reach: of quartic (R^2 - d^2) d is below
-// 2 o R^2, and below 2 R^3 / sqrt(27) at any distance.
+// Returns a bound on a contact's force, without the damper's, up to this overlap and reach. For quartic, (R^2 - d^2) d
+// is below 2 o R^2, and below 2 R^3 / sqrt(27) at any distance.
 double greatest_force(ContactLaw law, double k, double overlap, double reach) {
   if (law == ContactLaw::spring) return k * overlap;
   if (law == ContactLaw::hertz) return k * std::pow(overlap, 1.5);
   return k * std::min(2 * overlap * squared(reach), 0.385 * cubed_length(reach));
 }
 
-// Upper bound of the number of spheres of radius b to w b that touch one of radius a b. Their centres are max(a, 1) b
-// to (a + w) b from its centre and at least b apart, so balls of radius b/2 around them are disjoint.
+// Returns a bound on the number of spheres with radii b to w b that touch a sphere of radius a b. Their centres are
+// max(a, 1) b to (a + w) b from its centre and at least b apart, so balls of radius b/2 around them are disjoint.
 double greatest_number(double a, double w) { return 8 * (cubed_length(a + w + 0.5) - cubed_length(a - 0.5)); }
 
 double reduced_mass(double a, double b) { return sphere_mass(a) * sphere_mass(b) / (sphere_mass(a) + sphere_mass(b)); }
@@ -44,9 +44,10 @@ double overlap_of_energy(ContactLaw law, double k, double energy, double reach) 
   return squares / (reach + std::sqrt(squared(reach) - squares));
 }
 
-// The stiffest pair has the shortest contact. By spring and hertz it is the two lightest spheres. By quartic the force
-// rises by 2 k R^2 where spheres begin to touch, so it is the pair with the least reduced mass over R^2. One of them is
-// a smallest sphere. As the other one's radius grows, that quotient rises, then falls: it is least at either end.
+// Returns the time of the stiffest pair's contact, which is the shortest. For spring and hertz that pair is the two
+// lightest spheres. For quartic the force rises by 2 k R^2 as spheres begin to touch, so it is the pair with the least
+// reduced mass over R^2. One of the two is a smallest sphere. As the other's radius grows, this quotient rises, then
+// falls, so it is least at either end.
 double shortest_contact(ContactLaw law, double k, Radii radii, double closing_speed, double restitution) {
   const double smallest = double(radii.smallest), largest = double(radii.largest),
                mass = reduced_mass(smallest, smallest);
@@ -58,15 +59,15 @@ double shortest_contact(ContactLaw law, double k, Radii radii, double closing_sp
   return std::numbers::pi * std::sqrt(lightest / (2 * k));
 }
 
-// Time until the force of x'' + 2 b x' + x = 0, started at x = 0, falls to 0; b: `ratio`. Schwager and Poeschel,
-// Granular Matter 9 (2007) 465.
+// Returns the time until the force of x'' + 2 b x' + x = 0, started at x = 0, falls to 0. ratio: b. Schwager and
+// Poeschel, Granular Matter 9 (2007) 465.
 double damped_time(double ratio) {
   const double root = std::sqrt(std::abs(1 - ratio * ratio));
   if (root == 0) return 2;
   return 2 * (ratio < 1 ? std::acos(ratio) : std::acosh(ratio)) / root;
 }
 
-// When the force has fallen to 0, the speed is exp(-b t) of the initial one, below and above critical damping.
+// Solves for the ratio b: as the force falls to 0, the speed is exp(-b t) of the initial one, for any damping.
 double damping_ratio(double restitution) {
   double low = 0, high = 2;
   for (int turn = 0; turn < 60; ++turn) {
@@ -78,12 +79,11 @@ double damping_ratio(double restitution) {
 
 double default_steps(double restitution) { return std::max(40.0, 60 * std::log(1 / std::max(restitution, 0.1))); }
 
-// Partners are taken by classes of radii b to 2 b. A wall alone pushes less than one partner of the largest radius
-// does.
+// Adds up partners by classes of radii b to 2 b. A wall pushes less than one partner of the largest radius.
 double greatest_impulse_sum(const StepBounds& step) {
   const double smallest = double(step.radii.smallest), largest = double(step.radii.largest);
   const double fall = -step.gravity * step.dt;
-  const double speed = smallest / step.dt + fall / 2;  // along an axis; the start takes half of a step's fall back
+  const double speed = smallest / step.dt + fall / 2;  // along an axis; the start subtracts half a step's fall
   const double damping = 2 * damping_ratio(step.restitution) * std::sqrt(step.stiffness);
   const auto impulse = [&](double radius) {
     const double damper = damping * std::sqrt(sphere_mass(radius)) * 2 * std::numbers::sqrt3 * speed;

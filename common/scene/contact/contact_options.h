@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of spheres that push each other: the law of the force, and what it needs.
+// Contacts of spheres that push each other: the law of the force and its parameters.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Force along the line of centres at overlap o, reach R and distance d; never attractive.
+// The force along the line of centres at overlap o, reach R (sum of radii) and distance d. It never attracts.
 enum class ContactLaw : uint {
   none,     // spheres pass through each other
   spring,   // k * o, with a damper where the restitution is below 1
@@ -20,11 +20,11 @@ enum class ContactLaw : uint {
 const char* contact_name(ContactLaw law);
 ContactLaw contact_from_name(const std::string& name);  // throws std::invalid_argument with the known names
 
-// How the impulses on a sphere are added up. Integers need no order; the others are there to be measured against them.
+// How the impulses on a sphere are added up. Integers need no order; the others exist to be measured against them.
 enum class ImpulseSums {
   integers,  // each rounded, then added by atomics
   in_order,  // float32, gathered by ascending index of the other sphere, rounded once
-  atomics    // float32 by atomics, in any order, rounded once: other bits each time
+  atomics    // float32 by atomics, in any order, rounded once: bits differ from run to run
 };
 const char* impulse_sums_name(ImpulseSums sums);
 std::span<const ImpulseSums> all_impulse_sums();
@@ -36,15 +36,15 @@ struct WallBox {
 
 constexpr float water = 1000;  // kg/m^3
 
-// Part of a scene. Units are powers of two, chosen once for a run: positions of 2^-unit_exponent m, momenta of
-// 2^-momentum_exponent kg m/s.
+// A scene's contacts. Units are powers of two, chosen once for a run: 2^-unit_exponent m for positions,
+// 2^-momentum_exponent kg m/s for momenta.
 struct ContactOptions {
   ContactLaw law = ContactLaw::none;
-  float stiffness = 0;           // k, in N/m, N/m^3 or N/m^1.5, of spheres of water that move alike: k * 1000 / density
+  float stiffness = 0;           // k * 1000 / density, in N/m, N/m^3 or N/m^1.5: of spheres of water that move alike
   float density = water;         // kg/m^3
-  float drag = 0;                // of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds
-  bool sleeping = true;          // where there is drag, spheres at rest are passed over; the same bits
-  bool tests_all_walls = false;  // of spheres away from walls, too, to be measured against; the same bits
+  float drag = 0;                // of a fluid at rest: alone, a speed falls to 1/e in 1/drag seconds
+  bool sleeping = true;          // with drag, steps skip spheres at rest; the same bits
+  bool tests_all_walls = false;  // also for spheres away from walls, for measuring; the same bits
   bool walls = false;            // a closed box: four sides and a lid, the plane is its floor
   vec4 low = {}, high = {};      // its corners; low.y is not used
   int unit_exponent = 0, momentum_exponent = 0;

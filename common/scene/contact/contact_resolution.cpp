@@ -9,11 +9,11 @@
 namespace spherepair {
 namespace {
 
-constexpr double least_depth = 512;  // in units of gaps (gap.h), by which overlaps are told apart
-constexpr double least_impulse = 8;  // of a step, in units of momentum: the mean of a contact
-constexpr double least_way = 512;    // of a step, in units of length
+constexpr double least_depth = 512;  // of a contact, in units of gaps (gap.h), which resolve overlaps
+constexpr double least_impulse = 8;  // in a step, in units of momentum: mean over a contact
+constexpr double least_way = 512;    // travelled in a step, in units of length
 
-// How deep the lightest sphere comes into the largest, in metres.
+// Returns how deep the lightest sphere enters the largest, in metres.
 double depth_of(const FastestContact& f) {
   const double lightest = sphere_mass(double(f.radii.smallest)), heaviest = sphere_mass(double(f.radii.largest));
   const double energy = lightest / (1 + lightest / heaviest) * f.speed * f.speed / 2;
@@ -21,7 +21,7 @@ double depth_of(const FastestContact& f) {
                            double(f.radii.smallest) + double(f.radii.largest));
 }
 
-// To three digits, as messages print it.
+// Rounds to three digits, as messages print.
 double rounded(double x, double (*round)(double)) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
   return round(x / unit) * unit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether units of length and momentum are fine enough for a contact of the fastest sphere: for its depth, and for the
-// momentum that one step of it changes.
+// Checks whether units of length and momentum resolve a contact of the fastest sphere: its depth, and the momentum that
+// one step of it changes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// The lightest sphere at the highest speed against the largest at rest: of all contacts of that speed the one with the
+// The lightest sphere at the highest speed against the largest at rest. Of all contacts at that speed, this one has the
 // fewest units.
 struct FastestContact {
   const ContactOptions& contact;  // with its units
@@ -17,7 +17,7 @@ struct FastestContact {
   double speed, dt;  // m/s, s
 };
 
-// Says which stiffness or time step has units enough for 0.1 % of the speed; empty where the chosen ones do.
+// Says which stiffness or time step gives units enough for 0.1 % of the speed; empty if the chosen ones do.
 std::string why_unresolved(const FastestContact& fastest);
 
 }  // namespace spherepair
