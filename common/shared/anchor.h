@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The method `anchored`, event-driven: the state of a sphere is its last bounce (at first, its start) and the number of
-// steps since, so that its position at any step is one evaluation of the parabola, and nothing is written or rounded
-// between bounces. Horizontally its start remains the anchor.
+// The event-driven method `anchored`. A sphere's state is its last bounce (at first, its start) and the number of steps
+// since. Its position at any step is one evaluation of the parabola, so nothing is written or rounded between bounces.
+// Horizontally the anchor stays at the start.
 #ifndef SPHEREPAIR_ANCHOR_H
 #define SPHEREPAIR_ANCHOR_H
 
@@ -14,7 +14,7 @@ ANY_REAL struct Anchor {
   uint since;       // with ANCHOR_ON_PLANE once it has bounced
 };
 
-// The duration of `steps` steps, in seconds: both halves of the count are exact floats.
+// Returns the duration of `steps` steps, in seconds: both halves of the count are exact floats.
 ANY_REAL FN Real seconds_of(uint steps, Real kind, MotionParams m) {
   EXACT float high = float(steps >> 16) * 65536.0f;
   return times(plus(widened(high, kind), widened(float(steps & 0xFFFFu), kind)), widened(m.dt, kind));
@@ -26,7 +26,7 @@ ANY_REAL FN Real seconds_since(Anchor OF_REAL a, MotionParams m) {
   return plus(seconds_of(m.steps_done - (a.since & ~ANCHOR_ON_PLANE), a.age, m), a.age);
 }
 
-// The flight from the anchor to the plane. Without gravity the sphere may never reach it: see `leaves`.
+// Returns the flight from the anchor to the plane. Without gravity the sphere may never reach it: see `leaves`.
 ANY_REAL FN Fall OF_REAL flight_of(Anchor OF_REAL a, MotionParams m) {
   Real zero = widened(0.0f, a.age);
   if (on_plane(a.since)) {
@@ -38,14 +38,14 @@ ANY_REAL FN Fall OF_REAL flight_of(Anchor OF_REAL a, MotionParams m) {
   return fall(height, a.speed, m);
 }
 
-// Whether the sphere rests or rises for ever.
+// Whether the sphere rests, or rises for ever.
 ANY_REAL FN bool leaves(Anchor OF_REAL a, MotionParams m) {
   Real zero = widened(0.0f, a.age);
   if (on_plane(a.since) && !below(zero, a.speed)) return true;
   return m.gravity == 0.0f && !below(a.speed, zero);
 }
 
-// The first step after which the sphere may have reached the plane: float32 with a margin for its rounding.
+// Returns the first step after which the sphere may have reached the plane: float32 with a margin for its rounding.
 ANY_REAL FN uint next_event_step(Anchor OF_REAL a, MotionParams m) {
   if (leaves(a, m)) return NO_EVENT;
   float seconds = nearest(minus(flight_of(a, m).time, a.age));
@@ -53,7 +53,7 @@ ANY_REAL FN uint next_event_step(Anchor OF_REAL a, MotionParams m) {
   return (a.since & ~ANCHOR_ON_PLANE) + 1u + uint(smaller(larger(steps, 0.0f), 1073741824.0f));
 }
 
-// The anchor after the bounces of the current step; unchanged when there was none.
+// Returns the anchor after the bounces of the current step, or the same one if there was none.
 ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, MotionParams m) {
   Fall OF_REAL end = flight_of(a, m);
   Real left = minus(seconds_since(a, m), end.time);
@@ -65,7 +65,7 @@ ANY_REAL FN Anchor OF_REAL anchor_anew(Anchor OF_REAL a, MotionParams m) {
   return a;
 }
 
-// Position and velocity at the current step.
+// Returns position and velocity at the current step.
 ANY_REAL FN Moving OF_REAL evaluate_sphere(Anchor OF_REAL a, MotionParams m) {
   Real time = seconds_since(a, m);
   Real total = seconds_of(m.steps_done, a.age, m);

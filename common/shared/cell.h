@@ -14,7 +14,7 @@ struct Cell {
   int x, y, z;
 };
 
-// In units of the cells of a dense grid, from 0 to the number of cells - 1; spheres outside belong to the border.
+// A position in cells of a dense grid, from 0 to the number of cells - 1; spheres outside belong to the border.
 struct GridPosition {
   float x, y, z;
 };
@@ -29,8 +29,8 @@ FN GridPosition grid_position(vec4 sphere, GridParams g) {
                            grid_coordinate(sphere.z, g.origin_z, g.cells_per_metre, g.cells_z)};
   return position;
 }
-// In a dense grid: at least r + (the largest radius) in units of cells, with a margin for the rounding of two
-// coordinates, and less than 1, so that a neighbourhood is at most three cells wide.
+// Returns the reach in cells of a dense grid: at least radius + largest radius, with a margin for the rounding of two
+// coordinates. It is less than 1, so that a neighbourhood is at most three cells wide.
 FN float reach_in_cells(float radius, GridParams g) {
   EXACT float reach = multiply_add(radius, g.reach_scale, g.reach_offset);
   return reach;
@@ -45,7 +45,7 @@ FN uint cell_above(float coordinate, float reach, uint cells) {
 }
 FN uint dense_slot(uint x, uint y, uint z, GridParams g) { return (z * g.cells_y + y) * g.cells_x + x; }
 
-// The level of a radius: its octave above the smallest; 0 for all when there is only one level.
+// Returns the level of a radius: its octave above the smallest; always 0 if there is only one level.
 FN uint level_of(float radius, GridParams g) {
   uint octave = (float_bits(radius) >> 23) & 0xFFu;
   uint above = octave > g.first_octave ? octave - g.first_octave : 0u;
@@ -71,8 +71,8 @@ FN Cell cell_at(float x, float y, float z, uint level, GridParams g) {
   return cell;
 }
 
-// The hashed slot at which the row of cells y, z begins; its cells have consecutive slots, modulo the table's size.
-// Rows may share slots.
+// Returns the hashed slot at which the row of cells y, z begins. Its cells have consecutive slots, modulo the table's
+// size. Rows may share slots.
 FN uint row_slot(uint level, int y, int z) {
   uint h = uint(y) * 0x9E3779B1u + uint(z) * 0x85EBCA77u + level * 0xC2B2AE3Du;
   h = (h ^ (h >> 16)) * 0x7FEB352Du;
@@ -82,7 +82,7 @@ FN uint row_slot(uint level, int y, int z) {
 
 FN uint slot_in_row(uint row, int x, GridParams g) { return (row + uint(x)) & g.hash_mask; }
 
-// The cells of a level whose spheres a sphere can collide with lie between these two.
+// Return the corners of the range of cells on a level whose spheres this sphere may collide with.
 FN Cell lowest_cell(vec4 sphere, float reach, uint level, GridParams g) {
   EXACT float x = sphere.x - reach;
   EXACT float y = sphere.y - reach;
@@ -130,20 +130,20 @@ FN uint hashed_slot_of(vec4 sphere, GridParams g) {
   Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, g);
   return slot_in_row(row_slot(level, cell.y, cell.z), cell.x, g);
 }
-// `dense`: a compile-time constant, so that no code for the other grid is made.
+// Returns a sphere's slot. dense: a compile-time constant, so that no code for the other grid is generated.
 FN uint slot_of(vec4 sphere, bool dense, GridParams g) {
   return dense || g.hash_mask == 0u ? dense_slot_of(sphere, g) : hashed_slot_of(sphere, g);
 }
 FN uint slot_of(vec4 sphere, GridParams g) { return slot_of(sphere, false, g); }
 
-// Whether a sphere belongs to this level and to this row of its cells.
+// Whether a sphere belongs to this level and is in this row of its cells.
 FN bool stands_in_row(vec4 sphere, uint level, int y, int z, GridParams g) {
   if (level_of(sphere.w, g) != level) return false;
   Cell cell = cell_at(sphere.x, sphere.y, sphere.z, level, g);
   return cell.y == y && cell.z == z;
 }
 
-// At least r + (the largest radius of a level), in real arithmetic.
+// Returns a bound on radius + the largest radius of a level, not below the sum in real arithmetic.
 FN float reach_of(float radius, uint level, GridParams g) {
   EXACT float largest = g.largest_radius * bits_float((127u + level) << 23);
   EXACT float sum = radius + largest;
@@ -151,13 +151,13 @@ FN float reach_of(float radius, uint level, GridParams g) {
   return reach;
 }
 
-// The range of a bucket's spheres within a sorted tile, in one word: begin, and end in the upper half.
+// Packs the range of a bucket's spheres within a sorted tile into one word: begin, and end in the upper half.
 FN uint run_in_tile(uint begin, uint end) { return begin | end << 16; }
 FN uint begin_in_tile(uint run) { return run & 0xFFFFu; }
 FN uint end_in_tile(uint run) { return run >> 16; }
 
-// Buckets are ranges of slots, and their parents larger ranges. The spheres of this slot's parent are in the buckets
-// from bucket_below to bucket_above.
+// Buckets are ranges of slots; parents are larger ranges. The spheres of this slot's parent are in the buckets from
+// bucket_below to bucket_above.
 FN uint bucket_below(uint slot, SortParams s) { return (slot >> s.parent_shift) << (s.parent_shift - s.bucket_shift); }
 FN uint bucket_above(uint slot, SortParams s) {
   uint behind = ((slot >> s.parent_shift) + 1u) << (s.parent_shift - s.bucket_shift);

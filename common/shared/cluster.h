@@ -12,7 +12,7 @@ struct Solid {
   float x, y, z, across, above, ahead;
 };
 
-// Spheres that no view can draw (in_camera) do not enlarge a cluster's box.
+// Whether a view may draw the sphere (in_camera). Others do not enlarge a cluster's box.
 FN bool ever_drawable(vec4 sphere) {
   float most = bits_float(0x59800000u);  // 2^52
   return sphere.w >= bits_float(0x30800000u) && sphere.w <= most && magnitude(sphere.x) <= most &&
@@ -34,13 +34,13 @@ FN vec4 highest_corner(vec4 sphere) {
   return corner;
 }
 
-// Whether all spheres from a to b in cell order are in one row of cells, none of which is at the grid's border, where
-// cells are unbounded.
+// Whether all spheres from a to b in cell order are in one row of cells, none of them at the grid's border, where cells
+// are unbounded.
 FN bool within_row(GridPosition a, GridPosition b, GridParams g) {
   return uint(a.y) == uint(b.y) && uint(a.z) == uint(b.z) && a.x >= 1.0f && b.x < float(g.cells_x - 1u) &&
          a.y >= 1.0f && a.y < float(g.cells_y - 1u) && a.z >= 1.0f && a.z < float(g.cells_z - 1u);
 }
-// Lower bound along an axis of the spheres in cells from this one on; upper bound of those in cells before it. 2^-20
+// Bounds along an axis: below the spheres in this cell and after it, and above the spheres in cells before it. 2^-20
 // covers the rounding of a coordinate.
 FN float least_from(uint cell, float origin, GridParams g) {
   EXACT float offset = float(cell) / g.cells_per_metre;
@@ -65,7 +65,8 @@ FN vec4 highest_in_row(GridPosition b, GridParams g) {
   return corner;
 }
 
-// 2^-19 of the sum of a coordinate's terms covers its rounding, here and in in_camera.
+// Returns the box in the camera's axes. 2^-19 of the sum of a coordinate's terms covers its rounding, here and in
+// in_camera.
 FN Solid solid_of(vec4 low, vec4 high, View v) {
   EXACT float x = 0.5f * (low.x + high.x) - v.eye.x;
   EXACT float y = 0.5f * (low.y + high.y) - v.eye.y;
@@ -119,8 +120,8 @@ FN uint least_depth(Solid solid, Box box, View v) {
   return least_depth_between(close, far, 0.0f, box, v);
 }
 
-// The same box moved towards the eye by NEAR_LAYERS times the smallest half extent of its corners. A cluster that is
-// still behind the visible depths is deferred.
+// Returns the box, moved towards the eye by NEAR_LAYERS times the smallest half extent of its corners. If it is still
+// behind the visible depths, its cluster is deferred.
 FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
   EXACT float width = high.x - low.x;
   EXACT float height = high.y - low.y;
@@ -131,11 +132,11 @@ FN Solid brought_nearer(Solid solid, vec4 low, vec4 high) {
   return nearer;
 }
 
-// The corners of the bundles follow those of all clusters.
+// Corners of bundles are stored after those of all clusters.
 FN uint bundles_of(View v) { return (v.clusters + BUNDLE - 1u) / BUNDLE; }
 FN uint corners_of_bundle(uint bundle, View v) { return 2u * (v.clusters + bundle); }
 
-// An entry for a bundle, in one word: its index, and a bit for each of its clusters.
+// Packs a bundle into one word: its index, and a bit for each of its clusters.
 FN uint all_of_bundle(uint bundle, View v) {
   uint clusters = v.clusters - bundle * BUNDLE;
   uint bits = clusters < BUNDLE ? (1u << clusters) - 1u : (1u << BUNDLE) - 1u;
@@ -144,7 +145,7 @@ FN uint all_of_bundle(uint bundle, View v) {
 FN uint bundle_in(uint entry) { return entry >> BUNDLE; }
 FN uint bits_in(uint entry) { return entry & ((1u << BUNDLE) - 1u); }
 
-// The list that a phase draws.
+// Returns the list that a phase draws.
 FN uint list_of(uint phase) { return phase == uint(PHASE_FAR) ? LIST_FAR : LIST_DRAWN; }
 
 // The levels of the hierarchical Z: texels of LEVEL_0, LEVEL_1 and LEVEL_2 pixels along both axes.
@@ -157,7 +158,7 @@ FN uint first_texel(uint level, View v) {
   for (uint k = 0u; k < level; ++k) first += texels_along(v.width, k) * texels_along(v.height, k);
   return first;
 }
-// A texel: x is the greatest depth of its pixels, infinite for background, and y the greatest without the background.
+// Makes a texel: x is the greatest depth of its pixels, infinite for background; y is the greatest without background.
 FN uvec2 texel_of_pixel(uint depth) {
   uvec2 texel = {depth, depth == 0xFFFFFFFFu ? 0u : depth};
   return texel;
@@ -167,7 +168,7 @@ FN uvec2 texel_of_both(uvec2 a, uvec2 b) {
   return texel;
 }
 
-// Texels that a box covers, without those that its borders only touch; rows of spheres have long and low boxes.
+// Bounds the texels that a box covers, without those that its borders only touch. Rows of spheres have long, low boxes.
 FN uint texels_of(Box box, uint level) {
   uint shift = texel_shift(level);
   return ((box.width >> shift) + 1u) * ((box.height >> shift) + 1u);

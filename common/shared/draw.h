@@ -9,8 +9,8 @@
 #include "common/shared/round.h"
 #include "common/shared/view.h"
 
-// The sphere in the camera's axes, radius in w; w = 0 when it cannot be drawn: a radius outside 2^-30..2^50 m, a centre
-// farther than 2^50 m from the eye, or a NaN.
+// Returns the sphere in the camera's axes, radius in w. w = 0 if it cannot be drawn: a radius outside 2^-30..2^50 m, a
+// centre farther than 2^50 m from the eye, or a NaN.
 FN vec4 in_camera(vec4 sphere, View v) {
   EXACT float x = sphere.x - v.eye.x;
   EXACT float y = sphere.y - v.eye.y;
@@ -27,7 +27,7 @@ FN vec4 in_camera(vec4 sphere, View v) {
 
 FN float magnitude(float x) { return bits_float(float_bits(x) & 0x7FFFFFFFu); }
 
-// Frustum culling. The borders are a pixel wider than the image, which covers the rounding.
+// Whether the frustum may hold the sphere. Its borders are a pixel wider than the image, which covers the rounding.
 FN bool in_frustum(vec4 seen, View v) {
   EXACT float far = seen.z + seen.w;
   EXACT float sideways = magnitude(seen.x) - v.half_x * seen.z;
@@ -37,13 +37,14 @@ FN bool in_frustum(vec4 seen, View v) {
   return seen.w > 0.0f && far > v.eye.w && sideways <= room_x && over <= room_y;
 }
 
-// Pixels x .. x + width - 1, y .. y + height - 1. A width or height of 0: none.
+// The pixels x .. x + width - 1, y .. y + height - 1. A width or height of 0: none.
 struct Box {
   uint x, y, width, height;
 };
 
-// The first pixel with its centre within low .. high along an axis, and one past the last. The margin of 1/64 pixel
-// covers the rounding of low and high, with any driver's division, up to 16,384 pixels; a wider range only costs time.
+// Return the first pixel with its centre within low .. high along an axis, and one past the last. The margin of 1/64
+// pixel covers the rounding of low and high, with any driver's division, up to 16,384 pixels; a wider range only costs
+// time.
 FN uint first_pixel(float low) {
   EXACT float margin = low - 0.015625f;
   EXACT float before = larger(margin, -1.0f) + 1.0f;
@@ -55,7 +56,7 @@ FN uint last_pixel(float high, uint size) {
   return uint(larger(inside, 0.0f));  // one past the last
 }
 
-// The bounding box in pixels of what lies between these limits in the camera's axes.
+// Returns the bounding box, in pixels, of a box in the camera's axes.
 FN Box box_between(float left, float right, float bottom, float top, float close, float far, View v) {
   EXACT float per_close = v.focal / close;
   EXACT float per_far = v.focal / far;
@@ -84,7 +85,7 @@ FN Box box_of(vec4 seen, View v) {
   return box_between(left, right, bottom, top, close, far, v);
 }
 
-// Packed into two words.
+// Packs a box into two words.
 FN uvec2 words_of(Box box) {
   uvec2 words = {box.x | (box.y << 16), box.width | (box.height << 16)};
   return words;
@@ -100,10 +101,10 @@ FN bool is_large(Box box, View v) {
   return box.width > most || box.height > most;
 }
 
-// How many of the threads that share a sphere are in one row of its box.
+// Returns how many of the threads that share a sphere are in one row of its box.
 FN uint lanes_across(View v) { return v.lanes == 1u ? 1u : uint(LANES_ACROSS); }
 
-// Index of the k-th sphere or cluster in approximate front-to-back order: cell order is by z, then y, then x.
+// Returns the k-th sphere or cluster in approximate front-to-back order: cell order is by z, then y, then x.
 FN uint front_to_back(uint k, uint count, View v) { return v.forward.z < 0.0f ? count - 1u - k : k; }
 
 FN uint tiles_along(uint pixels) { return (pixels + TILE - 1u) / TILE; }
@@ -127,8 +128,8 @@ FN Ray ray_through(uint px, uint py, View v) {
   return ray;
 }
 
-// The depth at which the ray enters the sphere; 0 when it does not, or does before v.eye.w. The distance of the centre
-// from the ray comes from the cross product, which avoids a difference of large squares.
+// Returns the depth at which the ray enters the sphere; 0 if it does not, or does before v.eye.w. The cross product
+// gives the centre's distance from the ray, which avoids a difference of large squares.
 FN float depth_of_hit(vec4 seen, Ray ray, View v) {
   EXACT float up = seen.y - ray.y * seen.z;
   EXACT float across = seen.x - ray.x * seen.z;
@@ -145,7 +146,7 @@ FN float depth_of_hit(vec4 seen, Ray ray, View v) {
 struct Range {
   float least, most;
 };
-// The range of |x| for x from low to high.
+// Returns the range of |x| for x from low to high.
 FN Range magnitudes(float low, float high) {
   float a = magnitude(low);
   float b = magnitude(high);
@@ -154,7 +155,7 @@ FN Range magnitudes(float low, float high) {
   return range;
 }
 
-// The range of the squared lengths of the rays through a box.
+// Returns the range of the squared lengths of the rays through a box.
 FN Range squares_of_rays(Box box, View v) {
   EXACT float left = (float(box.x) - v.centre_x) * v.pixel;
   EXACT float right = (float(box.x + box.width) - v.centre_x) * v.pixel;
@@ -168,8 +169,9 @@ FN Range squares_of_rays(Box box, View v) {
   return squares;
 }
 
-// The bits of a lower bound of the depth of anything between these limits along forward, at any pixel of the box. A
-// depth is the distance along forward times the square of the ray's length; 2^-16 of the greatest covers its rounding.
+// Returns the bits of a lower bound on the depth of anything between these limits along forward, at any pixel of the
+// box. A depth is the distance along forward times the square of the ray's length; 2^-16 of the greatest covers its
+// rounding.
 FN uint least_depth_between(float close, float far, float more_slack, Box box, View v) {
   Range squares = squares_of_rays(box, v);
   EXACT float slack = (far * bits_float(0x37800000u) + more_slack) * squares.most;
@@ -177,7 +179,7 @@ FN uint least_depth_between(float close, float far, float more_slack, Box box, V
   return least > 0.0f ? float_bits(least) : 0u;
 }
 
-// The same for a sphere: 2^-10 of the radius covers the rounding of the root where the ray is almost tangent.
+// Does the same for a sphere: 2^-10 of the radius covers the rounding of the root where the ray is almost tangent.
 FN uint least_depth_of(vec4 seen, Box box, View v) {
   EXACT float close = seen.z - seen.w;
   EXACT float far = seen.z + seen.w;
@@ -185,7 +187,7 @@ FN uint least_depth_of(vec4 seen, Box box, View v) {
   return least_depth_between(close, far, root, box, v);
 }
 
-// The entry of the palette that a sphere gets by its radius or speed.
+// Returns the entry of the palette for a sphere's radius or speed.
 FN uint palette_entry(vec4 position, vec4 velocity, View v) {
   EXACT float square = (velocity.x * velocity.x + velocity.y * velocity.y) + velocity.z * velocity.z;
   float value = v.colour_by == COLOUR_BY_RADIUS ? position.w : square;
@@ -206,7 +208,7 @@ FN uint palette(uint contacts, View v) {
   return contacts < 4u ? first : second;
 }
 
-// From 0xRRGGBB to the image's order of bytes, each channel times light, which is at most 1.
+// Converts 0xRRGGBB to the image's byte order, each channel times light, which is at most 1.
 FN uint lit(uint colour, float light) {
   EXACT float red = float((colour >> 16) & 255u) * light + 0.5f;
   EXACT float green = float((colour >> 8) & 255u) * light + 0.5f;
@@ -228,7 +230,8 @@ FN Normal normal_at(vec4 seen, Ray ray, float depth) {
   return normal;
 }
 
-// Ambient light, of which the share `around` arrives, and light of the sun, of which the share `sun` arrives.
+// Returns the light on the surface: ambient light, of which the share `around` arrives, and sunlight, of which the
+// share `sun` arrives.
 FN float light_on_normal(Normal normal, float around, float sun, View v) {
   EXACT float facing = (normal.x * v.light.x + normal.y * v.light.y) + normal.z * v.light.z;
   EXACT float light = v.light.w * around + ((1.0f - v.light.w) * sun) * smaller(larger(facing, 0.0f), 1.0f);

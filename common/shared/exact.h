@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The exact stages of the collision predicate, for the few pairs that the filter leaves: float64 with the same
-// two-sided test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change a result.
+// The exact stages of the collision predicate, for the few pairs that the filter leaves undecided: float64 with the
+// same two-sided test, then integers. Floats are taken apart by their bits, so flushed denormals cannot change a
+// result.
 #ifndef SPHEREPAIR_EXACT_H
 #define SPHEREPAIR_EXACT_H
 
@@ -19,7 +20,7 @@ struct Verdict {
 };
 FN uint verdict_code(Verdict v) { return v.stage * 2u + (v.collide ? 1u : 0u); }
 
-// |value| = mantissa * 2^(scale_of - 150).
+// Returns the exponent: |value| = mantissa * 2^(scale_of - 150).
 FN uint scale_of(uint bits) {
   uint field = (bits >> 23) & 255u;
   return field == 0u ? 1u : field;
@@ -30,7 +31,7 @@ FN bool finite_sphere(vec4 a) {
   return finite_float(a.x) && finite_float(a.y) && finite_float(a.z) && finite_float(a.w);
 }
 
-// The float64 of the same value, also where the hardware would flush a float32 denormal. x must be finite.
+// Converts to float64, also if the hardware would flush a float32 denormal. x must be finite.
 FN double exact_double(float x) {
   uint bits = float_bits(x);
   uint sign = bits & 0x80000000u;
@@ -42,8 +43,8 @@ FN double exact_double(float x) {
   return denormal;
 }
 
-// The filter again in float64: differences of float32 are exact up to an exponent gap of 28 bits, and 1 + 24 * 2^-53
-// covers their rounding beyond it. Nothing under- or overflows.
+// Applies the filter again in float64. Differences of float32 are exact up to an exponent gap of 28 bits, and
+// 1 + 24 * 2^-53 covers their rounding beyond it. Nothing under- or overflows.
 FN uint decide_double(vec4 a, vec4 b) {
   EXACT double dx = exact_double(a.x) - exact_double(b.x);
   EXACT double dy = exact_double(a.y) - exact_double(b.y);
@@ -62,7 +63,7 @@ struct Wide {
   uint word[9];
 };
 
-// Word k of the float's magnitude as an integer in units of 2^(base - 150).
+// Returns word k of the float's magnitude as an integer in units of 2^(base - 150).
 FN uint word_of(uint bits, uint base, uint k) {
   uint mantissa = mantissa_of(bits);
   if (mantissa == 0u) return 0u;
@@ -79,7 +80,7 @@ FN int64_t signed_word(uint bits, uint base, uint k) {
   return (bits & 0x80000000u) != 0u ? -word : word;
 }
 
-// |x + y|, given the bits of both floats.
+// Returns |x + y|, given the bits of both floats.
 FN Wide magnitude_of_sum(uint x, uint y, uint base, uint words) {
   Wide sum;
   int64_t carry = int64_t(0);
@@ -99,8 +100,8 @@ FN Wide magnitude_of_sum(uint x, uint y, uint base, uint words) {
   return sum;
 }
 
-// Whether x*x + y*y + z*z < r*r: the columns of the four squares are added with sign, low to high, and what is carried
-// out at the top is the sign of the difference.
+// Whether x*x + y*y + z*z < r*r. It adds the columns of the four squares with their signs, low to high; the carry out
+// of the top is the sign of the difference.
 FN bool squares_less(Wide x, Wide y, Wide z, Wide r, uint words) {
   int64_t carry = int64_t(0);
   int64_t high = int64_t(0);
@@ -132,8 +133,8 @@ FN uint highest_scale(uint bits, uint highest) {
   return mantissa_of(bits) != 0u && scale > highest ? scale : highest;
 }
 
-// Stage by stage. Integers have as many words as the exponents of the eight inputs span: a difference takes span + 25
-// bits, and one bit more keeps the sum of three squares below the top.
+// Decides a pair stage by stage. Integers have as many words as the exponents of the eight inputs span: a difference
+// takes span + 25 bits, and one bit more keeps the sum of three squares below the top.
 FN Verdict decide_exact(vec4 a, vec4 b) {
   Verdict verdict = {false, STAGE_NONFINITE};
   if (!finite_sphere(a) || !finite_sphere(b)) return verdict;
@@ -157,7 +158,7 @@ FN Verdict decide_exact(vec4 a, vec4 b) {
   return verdict;
 }
 
-// All stages in order, for callers that decide a single pair.
+// Runs all stages in order, for callers that decide a single pair.
 FN Verdict decide_pair(vec4 a, vec4 b, float scale, float offset) {
   uint by_filter = filter_pair(a, b, scale, offset);
   Verdict verdict = {by_filter == COLLIDE, STAGE_FLOAT};

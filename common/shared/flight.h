@@ -24,13 +24,13 @@ FN bool below_plane(float y, float r, float plane) {
 FN bool below_plane(Two y, float r, float plane) { return below(y, exact_sum(plane, r)); }
 FN bool below_plane(double y, float r, float plane) { return below(y, plus(double(plane), double(r))); }
 
-// P + v*dt + g*dt*dt/2 along one axis (the paper's equation 1); term = g*dt*dt/2 is computed once, on the host.
+// Returns P + v*dt + g*dt*dt/2 along one axis (the paper's equation 1). term = g*dt*dt/2 is computed once, on the host.
 ANY_REAL FN Real advance(Real position, Real velocity, Real dt, Real term) {
   return snapped(plus(plus(position, times(velocity, dt)), term));
 }
 ANY_REAL FN Real drift(Real position, Real velocity, Real dt) { return snapped(plus(position, times(velocity, dt))); }
 
-// One step without a plane.
+// Makes one step without a plane.
 ANY_REAL FN Moving OF_REAL fly(Moving OF_REAL from, MotionParams m) {
   Real dt = widened(m.dt, from.y);
   Moving OF_REAL next = from;
@@ -47,8 +47,8 @@ ANY_REAL FN Real turned(Real velocity, MotionParams m) {
   return snapped(negated(times(velocity, widened(m.restitution, velocity))));
 }
 
-// Code 1 of the paper, to the letter: on contact the old velocity is reversed, times the restitution, and the step is
-// repeated from the old position. It sinks for restitution < 1 and gains energy at 1; both belong to the method.
+// Code 1 of the paper, to the letter: on contact it reverses the old velocity, times the restitution, and repeats the
+// step from the old position. Spheres sink for restitution < 1 and gain energy at 1; both belong to the method.
 ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = fly(from, m);
   if (below_plane(next.y, from.radius, m.plane)) {
@@ -58,7 +58,7 @@ ANY_REAL FN Moving OF_REAL move_paper(Moving OF_REAL from, MotionParams m) {
   return next;
 }
 
-// The lowest height at which a sphere does not reach below the plane: plane + r, rounded upwards.
+// Returns the lowest height at which a sphere does not reach below the plane: plane + r, rounded upwards.
 FN float ground(float r, float plane, float kind) {
   Two height = exact_sum(plane, r);
   kind = height.hi;
@@ -74,14 +74,14 @@ FN double ground(float r, float plane, double kind) {
   return kind;
 }
 
-// The same, but a sphere that still ends below the plane is moved onto it.
+// Does the same, but moves a sphere that still ends below the plane onto it.
 ANY_REAL FN Moving OF_REAL move_clamped(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = move_paper(from, m);
   if (below_plane(next.y, from.radius, m.plane)) next.y = ground(from.radius, m.plane, from.y);
   return next;
 }
 
-// A step along y at constant velocity, with the same reversal on contact.
+// Makes a step along y at constant velocity, with the same reversal on contact.
 ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Moving OF_REAL next, MotionParams m) {
   Real dt = widened(m.dt, from.y);
   next.y = drift(from.y, velocity, dt);
@@ -92,12 +92,12 @@ ANY_REAL FN Moving OF_REAL move_straight(Moving OF_REAL from, Real velocity, Mov
   return next;
 }
 
-// The explicit Euler method: the position with the old velocity.
+// The explicit Euler method: moves the sphere with its old velocity.
 ANY_REAL FN Moving OF_REAL move_euler(Moving OF_REAL from, MotionParams m) {
   return move_straight(from, from.vy, fly(from, m), m);
 }
 
-// The semi-implicit Euler method, which is symplectic: the position with the new velocity.
+// The semi-implicit Euler method, which is symplectic: moves the sphere with its new velocity.
 ANY_REAL FN Moving OF_REAL move_symplectic(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = fly(from, m);
   return move_straight(from, next.vy, next, m);

@@ -5,7 +5,7 @@
 
 #include "common/shared/portable.h"
 
-// The finaliser of splitmix64 (Steele, Lea, Flood 2014) and that of MurmurHash3 (Appleby): two unrelated bijections.
+// The finalisers of splitmix64 (Steele, Lea, Flood 2014) and MurmurHash3 (Appleby): two unrelated bijections.
 FN uint64_t splitmix64(uint64_t x) {
   x += 0x9E3779B97F4A7C15ul;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ul;
@@ -19,7 +19,7 @@ FN uint64_t murmur64(uint64_t x) {
   return x ^ (x >> 33);
 }
 
-// A set of pairs (i<j) is fingerprinted by the sums of these two modulo 2^64.
+// The fingerprint of a set of pairs (i<j) is the sums of these two modulo 2^64.
 FN uint64_t pair_mix_a(uint i, uint j) { return splitmix64((uint64_t(i) << 32) | uint64_t(j)); }
 FN uint64_t pair_mix_b(uint i, uint j) { return murmur64(((uint64_t(i) << 32) | uint64_t(j)) + 1ul); }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Methods that find the time of impact on the plane within a step. Gravity is constant, so between bounces a step is
-// exact but for rounding: only the time of impact is unknown. Gravity must not point upwards. A sphere that starts
+// exact except for rounding: only the time of impact is unknown. Gravity must not point upwards. A sphere that starts
 // below the plane is moved onto it.
 #ifndef SPHEREPAIR_IMPACT_H
 #define SPHEREPAIR_IMPACT_H
 
 #include "common/shared/flight.h"
 
-// The step without a plane: the displacement is rounded before it is added to the position, whose ulp is far larger, so
-// that the same small terms are not rounded the same way in every step (in float32 30 times more accurate).
+// Makes a step without a plane. The displacement is rounded before it is added to the position, whose ulp is far
+// larger. So the same small terms are not rounded the same way in every step (in float32 30 times more accurate).
 ANY_REAL FN Moving OF_REAL glide(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = fly(from, m);
   Real climbed = times(from.vy, widened(m.dt, from.y));
@@ -19,7 +19,7 @@ ANY_REAL FN Moving OF_REAL glide(Moving OF_REAL from, MotionParams m) {
 // The time until a sphere reaches the plane, and its downward speed then.
 ANY_REAL struct Fall { Real time, speed; };
 
-// From this height (>= 0) above the plane: the root of height + velocity*t + g*t*t/2, without cancellation.
+// Solves height + velocity*t + g*t*t/2 = 0 from this height (>= 0) above the plane, without cancellation.
 ANY_REAL FN Fall OF_REAL fall(Real height, Real velocity, MotionParams m) {
   Real zero = widened(0.0f, height);
   EXACT float twice_gravity = -2.0f * m.gravity;
@@ -34,14 +34,14 @@ ANY_REAL FN Fall OF_REAL fall(Real height, Real velocity, MotionParams m) {
   return end;
 }
 
-// The last bounce so far: the time since, and the speed after it. Speed 0: at rest.
+// The last bounce so far: the time since, and the speed after it. A sphere at rest has speed 0.
 ANY_REAL struct Rebound { Real time, speed; };
 
-// A sphere that leaves the plane upwards at `speed` and moves for `time`: any number of bounces. A flight takes
-// 2*speed/|g|; 2^k flights take s(k) times as long as the first, s(k+1) = s(k) * (1 + e^(2^k)), and leave e^(2^k) of
-// the speed, so doubling finds the last bounce in a few iterations at every restitution. What would bounce 2^32 times
-// more is at rest: for e < 1 that is Zeno's time, 2*speed/(|g|(1-e)), and for e = 1 it is lower than any float can
-// show.
+// Returns the last bounce of a sphere that leaves the plane upwards at `speed` and moves for `time`, after any number
+// of bounces. A flight takes 2*speed/|g|; 2^k flights take s(k) times as long as the first,
+// s(k+1) = s(k) * (1 + e^(2^k)), and leave e^(2^k) of the speed, so doubling finds the last bounce in a few iterations
+// at every restitution. A sphere that would bounce 2^32 times more is at rest: for e < 1 that is Zeno's time,
+// 2*speed/(|g|(1-e)), and for e = 1 it is lower than any float can show.
 ANY_REAL FN Rebound OF_REAL rebound(Real time, Real speed, MotionParams m) {
   Rebound OF_REAL last = {time, speed};
   if (m.gravity == 0.0f) return last;
@@ -69,7 +69,7 @@ ANY_REAL FN Rebound OF_REAL rebound(Real time, Real speed, MotionParams m) {
   return last;
 }
 
-// Position and velocity of a sphere that left the plane `since` ago.
+// Returns position and velocity of a sphere that left the plane `since` ago.
 ANY_REAL FN Moving OF_REAL risen(Moving OF_REAL sphere, Rebound OF_REAL since, MotionParams m) {
   Real zero = widened(0.0f, sphere.y);
   Real slowed = times(widened(m.gravity, sphere.y), since.time);
@@ -81,7 +81,7 @@ ANY_REAL FN Moving OF_REAL risen(Moving OF_REAL sphere, Rebound OF_REAL since, M
   return sphere;
 }
 
-// Quadratic time of impact and every bounce within the step.
+// Makes a step with the quadratic time of impact and every bounce within the step.
 ANY_REAL FN Moving OF_REAL move_impact(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = glide(from, m);
   if (!below_plane(next.y, from.radius, m.plane)) return next;
@@ -94,7 +94,8 @@ ANY_REAL FN Moving OF_REAL move_impact(Moving OF_REAL from, MotionParams m) {
   return risen(next, rebound(left, times(end.speed, widened(m.restitution, from.y)), m), m);
 }
 
-// The time of impact on a straight path, and one bounce: a sphere that still ends below the plane comes to rest.
+// Makes a step with the time of impact on a straight path and one bounce. A sphere that still ends below the plane
+// comes to rest.
 ANY_REAL FN Moving OF_REAL move_impact_linear(Moving OF_REAL from, MotionParams m) {
   Moving OF_REAL next = glide(from, m);
   if (!below_plane(next.y, from.radius, m.plane)) return next;

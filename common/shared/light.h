@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Ambient occlusion and shadows from the spheres themselves, found through the dense cells of the grid, level by level.
-// What many spheres contribute is summed in integers, so that their order changes no bit.
+// Ambient occlusion and shadows by the spheres themselves, found through the dense cells of the grid, level by level.
+// Contributions of many spheres are summed in integers, so that their order changes no bit.
 #ifndef SPHEREPAIR_LIGHT_H
 #define SPHEREPAIR_LIGHT_H
 
 #include "common/shared/cell.h"
 #include "common/shared/draw.h"
 
-#define ON_GROUND 0xFFFFFFFFu  // in place of a sphere index
+#define ON_GROUND 0xFFFFFFFFu  // instead of a sphere index
 
-// A point in the world, metres, and the normal there.
+// A point in the world, in metres, and the normal there.
 struct Surface {
   float x, y, z, normal_x, normal_y, normal_z;
   uint sphere;
@@ -31,7 +31,7 @@ FN Surface surface_of(vec4 sphere, uint index, Normal normal, View v) {
   return surface;
 }
 
-// The depth of the ground along the ray, as in depth_of_hit; 0 when the ray does not hit it.
+// Returns the depth of the ground along the ray, as depth_of_hit does; 0 if the ray misses the ground.
 FN float along_normal(float x, float y, float z, View v) {
   EXACT float sum = (x * v.ground.x + y * v.ground.y) + z * v.ground.z;
   return sum;
@@ -48,7 +48,7 @@ FN float depth_of_ground(Ray ray, View v) {
   return depth >= least ? depth : 0.0f;
 }
 
-// The hit, moved along the normal onto the plane, which the depth's rounding may have missed.
+// Returns the hit, moved along the normal onto the plane, which the rounded depth may have missed.
 FN Surface ground_at(Ray ray, float depth, View v) {
   EXACT float t = depth * same_reciprocal(ray.a);
   EXACT float x = v.eye.x + t * to_world(ray.x, ray.y, 1.0f, v.right.x, v.up.x, v.forward.x);
@@ -62,8 +62,8 @@ FN Surface ground_at(Ray ray, float depth, View v) {
   return surface;
 }
 
-// The share of the ambient light that a sphere occludes, in 2^-16: its solid angle times the cosine, fading out towards
-// OCCLUSION_RADII of its own, whatever the cells.
+// Returns the share of the ambient light that a sphere occludes, in 2^-16: its solid angle times the cosine. The share
+// fades to 0 at OCCLUSION_RADII of the sphere's radii, whatever the cells.
 FN float occlusion_fade(float radius, GridParams g) {
   if (g.occlusion_fade != 0.0f) return g.occlusion_fade;
   EXACT float range = radius * float(OCCLUSION_RADII);
@@ -92,7 +92,7 @@ FN float light_left(uint taken) {
 struct CellRange {
   uint low, high;
 };
-// Spheres beyond the border belong to its cells.
+// Clamps a coordinate to the grid: spheres beyond the border belong to its cells.
 FN uint clamped_cell(float coordinate, uint cells) {
   return uint(smaller(larger(coordinate, 0.0f), float(cells - 1u)));
 }
@@ -112,7 +112,7 @@ struct CellBox {
   CellRange x, y, z;
 };
 
-// Along an axis: the cells that may hold occluders of ambient light.
+// Returns the cells along an axis that may hold occluders of ambient light.
 FN CellRange cells_around(float coordinate, uint cells) {
   EXACT float low = coordinate - 2.0f;
   EXACT float high = coordinate + 2.0f;
@@ -138,7 +138,8 @@ FN bool shades(vec4 sphere, Surface s, View v) {
   return along > 0.0f && off < reach;
 }
 
-// The way to the sun goes through the layers of cells along the axis in which the sun is farthest: 0, 1, 2 for x, y, z.
+// Returns the axis along which the sun is farthest: 0, 1, 2 for x, y, z. The way to the sun is followed through layers
+// of cells along this axis.
 FN uint layer_axis(View v) {
   float x = magnitude(v.sun.x);
   float y = magnitude(v.sun.y);
@@ -149,9 +150,9 @@ FN uint layer_axis(View v) {
 FN float on_axis(uint axis, float x, float y, float z) { return axis == 0u ? x : axis == 1u ? y : z; }
 
 struct SunWay {
-  uint axis, layers, first;  // first: number of layers before, counted towards the sun
+  uint axis, layers, first;  // first: number of the first layer, counted towards the sun
   bool ascends;
-  float start, x, y, z;  // the point along the axis, in layers; cells per layer that the ray goes along each axis
+  float start, x, y, z;  // start along the axis, in layers; cells that the ray goes along each axis a layer
 };
 FN SunWay way_to_sun(GridPosition at, DenseLevel l, View v) {
   uint axis = layer_axis(v);
@@ -169,8 +170,8 @@ FN SunWay way_to_sun(GridPosition at, DenseLevel l, View v) {
   return way;
 }
 
-// Cells of one layer that the ray to the sun passes through, along another axis; `passed`: layers from its start to
-// that layer's lower border.
+// Returns the cells of one layer, along another axis, that the ray to the sun passes through. passed: layers from the
+// ray's start to the layer's lower border.
 FN CellRange cells_on_way(float coordinate, float slope, float passed, uint cells) {
   EXACT float first = larger(passed - 1.0f, 0.0f);
   EXACT float last = larger(passed + 2.0f, 0.0f);
@@ -197,7 +198,7 @@ FN CellBox box_on_way(SunWay way, uint k, GridPosition at, DenseLevel l) {
   return box;
 }
 
-// A pixel of the ground: the background, darkened by occlusion and shadow.
+// Returns a pixel of the ground: the background, darkened by occlusion and shadow.
 FN uint ground_colour(float around, float sun, View v) {
   EXACT float light = (0.5f + 0.5f * around) * (v.sun.w + (1.0f - v.sun.w) * sun);
   return lit(v.background, light);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One step of one sphere by any method but anchored (anchor.h), as every backend computes it: the same bits on every
-// machine. `method` is a constant where this is called.
+// Makes one step of one sphere by any method but anchored (anchor.h), for every backend: the same bits on every
+// machine. Callers pass a compile-time constant as `method`.
 #ifndef SPHEREPAIR_MOTION_H
 #define SPHEREPAIR_MOTION_H
 

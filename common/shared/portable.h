@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What C++20, CUDA and GLSL 4.50 spell differently. What a shader includes from this folder is written in the subset
-// that all three share: by-value parameters, struct returns, component arithmetic into EXACT locals. EXACT forbids the
-// compiler to contract or reorder; C++ and CUDA get the same from -ffp-contract=off and --fmad=false.
+// Spells for C++20, CUDA and GLSL 4.50 what they write differently. Headers that shaders include from this folder use
+// the subset that all three share: by-value parameters, struct returns, component arithmetic into EXACT locals. EXACT
+// forbids the compiler to contract or reorder; C++ and CUDA get the same from -ffp-contract=off and --fmad=false.
 #ifndef SPHEREPAIR_PORTABLE_H
 #define SPHEREPAIR_PORTABLE_H
 
@@ -19,8 +19,8 @@ double bits_double(uint high, uint low) { return packDouble2x32(uvec2(low, high)
 uint double_high(double x) { return unpackDouble2x32(x).y; }
 uint double_low(double x) { return unpackDouble2x32(x).x; }
 
-// Code for any of the number types float, Two and double: a template; in GLSL, plain text for which the compiled
-// program defines Real as one of them.
+// Code for any of the number types float, Two and double. It is a template in C++ and CUDA. In GLSL it is plain text,
+// for which the compiled program defines Real as one of them.
 #define ANY_REAL
 #define OF_REAL
 
@@ -31,7 +31,7 @@ uint count_bits(uint bits) { return uint(bitCount(bits)); }
 uint lowest_bit(uint bits) { return uint(findLSB(bits)); }
 uint highest_bit(uint bits) { return uint(findMSB(bits)); }
 
-// The larger and the smaller; b where a is not a number.
+// Return the larger and the smaller; b if a is NaN.
 float larger(float a, float b) { return a > b ? a : b; }
 float smaller(float a, float b) { return a < b ? a : b; }
 
@@ -42,7 +42,7 @@ float smaller(float a, float b) { return a < b ? a : b; }
 
 #ifdef __CUDACC__
 #define FN __host__ __device__ inline
-#define RARE_FN __host__ __device__ __noinline__ inline  // keeps the registers of a kernel's common case few
+#define RARE_FN __host__ __device__ __noinline__ inline  // not inlined: saves registers in a kernel's common case
 #else
 #define FN inline
 #define RARE_FN inline

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The float32 filter of the exact collision predicate. Spheres a and b collide when S < Q, S = |a - b|^2 and
-// Q = (a.w + b.w)^2, in real arithmetic on the float32 inputs (the paper's equation 2); tangent spheres do not. The
-// filter returns APART or COLLIDE only when rounding cannot have changed the result, else UNDECIDED: exact.h decides
-// those. Nothing here relies on how often a compiler fuses or in which direction it rounds.
+// Q = (a.w + b.w)^2, in real arithmetic on the float32 inputs (the paper's equation 2); tangent spheres do not collide.
+// The filter returns APART or COLLIDE only if rounding cannot have changed the result, else UNDECIDED, for exact.h to
+// decide. It does not rely on whether a compiler fuses operations or in which direction it rounds.
 #ifndef SPHEREPAIR_PREDICATE_H
 #define SPHEREPAIR_PREDICATE_H
 
@@ -21,9 +21,10 @@ FN float squared_distance(vec4 a, vec4 b) {
   return s;
 }
 
-// With u = 2^-24, s carries at most 5 rounding factors, q 3 and the bound 2, so scale = 1 + 24u decides safely; offset
-// = 2^-100 absorbs underflow and flushed denormals. scale = 1 and offset = 0 make it the naive test. A q that
-// overflowed may come from an infinite radius, which never collides, so it stays undecided.
+// Decides the pair if its error bound allows. With u = 2^-24, s carries at most 5 rounding factors, q 3 and the bound
+// 2, so scale = 1 + 24u decides safely; offset = 2^-100 absorbs underflow and flushed denormals. scale = 1 and
+// offset = 0 make it the naive test. A q that overflowed may come from an infinite radius, which never collides, so the
+// pair stays undecided.
 FN uint filter_pair(vec4 a, vec4 b, float scale, float offset) {
   EXACT float s = squared_distance(a, b);
   EXACT float r = a.w + b.w;
@@ -35,7 +36,7 @@ FN uint filter_pair(vec4 a, vec4 b, float scale, float offset) {
   return UNDECIDED;
 }
 
-// Whether filter_pair does not say APART.
+// Whether filter_pair returns anything but APART.
 FN bool filter_near(vec4 a, vec4 b, float scale, float offset) {
   EXACT float s = squared_distance(a, b);
   EXACT float r = a.w + b.w;
@@ -44,21 +45,21 @@ FN bool filter_near(vec4 a, vec4 b, float scale, float offset) {
   return !(s > apart_above);
 }
 
-// For equal radii the host rounds Q(1 + 12u) and Q(1 - 12u) outward once and the radius needs no load.
+// Filters pairs of equal radii. The host rounds Q(1 + 12u) and Q(1 - 12u) outward once, and no radius is loaded.
 FN uint filter_equal(float s, float apart_above, float collide_below) {
   if (s > apart_above) return APART;
   if (s < collide_below) return COLLIDE;
   return UNDECIDED;
 }
 
-// A sphere relative to an origin, for the Gram form of the test: a and b can only collide if
+// Returns a sphere relative to an origin, for the Gram form of the test. Spheres a and b can only collide if
 //   a.x*b.x + a.y*b.y + a.z*b.z [+ ra*rb] >= a.w + b.w,   w = N(1 - k)/2 - share*(r^2(1 + k) + T),   N = |centre|^2,
 // which costs three fused operations and a compare instead of seven instructions. With any origin, any rounding
 // direction and e = 2^-23 per operation: centring moves a distance by at most 4e(Na + Nb) of its square, the chain adds
 // 4e(Na/2 + Nb + r^2), w itself 6e of its terms; k = 32e covers their sum with room, T = 2^-99 covers underflow.
-// share is 1/2 where the product of radii is added. Where all radii are equal it is not: share is 1 for both, or 2 and
-// 0, and w is then never negative for 0. What could overflow or is not finite becomes a form that can collide with
-// everything, so that the filter proper decides it.
+// share is 1/2 if the product of radii is added. For equal radii it is not added: share is then 1 for both, or 2 and 0,
+// and w is never negative for 0. Numbers that could overflow or are not finite become a form that can collide with
+// everything, so that the filter decides.
 FN vec4 gram_form(vec4 a, vec4 origin, float share) {
   EXACT float x = a.x - origin.x;
   EXACT float y = a.y - origin.y;
@@ -80,8 +81,8 @@ FN vec4 gram_form(vec4 a, vec4 origin, float share) {
   return form;
 }
 
-// True of forms a and b, where minus_w is -a.w: the spheres cannot collide if this is below b.w. Where b's share is 0,
-// the bits of both compare as signed integers do: one compare then serves the greatest of several a.
+// Returns the product of forms a and b, where minus_w is -a.w. If it is below b.w the spheres cannot collide. If b's
+// share is 0, the bits of both compare as signed integers do, so one compare serves the greatest product of several a.
 FN float gram_product(float ax, float ay, float az, float minus_w, vec4 b) {
   EXACT float product = multiply_add(ax, b.x, multiply_add(ay, b.y, multiply_add(az, b.z, minus_w)));
   return product;

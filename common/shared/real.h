@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic of float state, with the same bits on every machine: the first of the three number types (real.h, two.h,
-// wide.h) for which motion is written once. Functions have the same names for all three. No float here is ever
-// denormal: products below 2^-100 become +0, so every value is a multiple of 2^-123 and sums are too. Quotients and
-// square roots are built from integers, one bit an iteration, and correctly rounded: GLSL's own are not.
+// Arithmetic on float state, with the same bits on every machine. It is the first of three number types (real.h, two.h,
+// wide.h) for which motion is written once; functions have the same names for all three. No float here is ever
+// denormal: products below 2^-100 become +0, so all values and sums are multiples of 2^-123. Quotients and square roots
+// are built from integers, one bit an iteration, and correctly rounded, unlike GLSL's own.
 #ifndef SPHEREPAIR_REAL_H
 #define SPHEREPAIR_REAL_H
 
 #include "common/shared/portable.h"
 
-// A host constant, or a float, as a number of the kind of the second argument, which is overwritten. The sum of a
+// Convert a host constant, or a float, to the number type of the last argument, whose value is ignored. The sum of a
 // constant's three floats holds a double's 53 bits.
 FN float constant(vec4 parts, float kind) {
   kind = parts.x;
@@ -20,7 +20,7 @@ FN float widened(float x, float kind) {
 }
 FN float nearest(float x) { return x; }
 
-// Components below 2^-64 and -0 become +0, so that flushing denormals makes no difference.
+// Replace components below 2^-64, and -0, by +0, so that flushed denormals make no difference.
 FN float snap(float x) { return (float_bits(x) & 0x7FFFFFFFu) < 0x1F800000u ? 0.0f : x; }
 FN float snapped(float x) { return snap(x); }
 
@@ -42,8 +42,9 @@ FN float times(float a, float b) {
 FN uint significand(float x) { return (float_bits(x) & 0x7FFFFFu) | 0x800000u; }
 FN uint exponent_field(float x) { return (float_bits(x) >> 23) & 255u; }
 
-// Bits of a positive float from 25 bits of its value, the last of which decides the rounding together with `rest`, and
-// the exponent field of the first. What is below 2^-126 becomes 0, what is above the floats the largest of them.
+// Returns the bits of a positive float. digits: 25 bits of its value, the last of which decides the rounding together
+// with `rest`; exponent: the exponent field of the first. Values below 2^-126 become 0, values above all floats the
+// largest float.
 FN uint rounded_bits(uint digits, uint rest, int exponent) {
   if (exponent < 1) return 0u;
   if (exponent > 254) return 0x7F7FFFFFu;
@@ -53,7 +54,7 @@ FN uint rounded_bits(uint digits, uint rest, int exponent) {
   return bits < 0x7F800000u ? bits : 0x7F7FFFFFu;
 }
 
-// a / b, correctly rounded. Denormals count as 0; a / 0 is the largest float.
+// Returns a / b, correctly rounded. Denormals count as 0; a / 0 is the largest float.
 FN float quotient(float a, float b) {
   uint sign = (float_bits(a) ^ float_bits(b)) & 0x80000000u;
   if (exponent_field(a) == 0u) return 0.0f;
@@ -74,7 +75,7 @@ FN float quotient(float a, float b) {
   return bits_float(sign | rounded_bits(digits, rest, exponent));
 }
 
-// The square root, correctly rounded; 0 for what is not positive.
+// Returns the square root, correctly rounded; 0 if x is not positive.
 FN float square_root(float x) {
   if (!(x > 0.0f) || exponent_field(x) == 0u) return 0.0f;
   uint even = (exponent_field(x) & 1u) ^ 1u;

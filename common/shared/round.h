@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reciprocal and square root that have the same bits everywhere, for images: GLSL's own differ by driver. Newton's
-// iteration from a guess made from the argument's bits, in correctly rounded products and differences only; the results
-// are within 2^-21 of the right ones. Arguments lie between 2^-120 and 2^120.
+// Reciprocal and square root with the same bits everywhere, for images: GLSL's own differ by driver. Newton's iteration
+// starts from a guess made from the argument's bits and uses only correctly rounded products and differences. Results
+// are within 2^-21 of the right ones. Arguments are between 2^-120 and 2^120.
 #ifndef SPHEREPAIR_ROUND_H
 #define SPHEREPAIR_ROUND_H
 
@@ -17,7 +17,7 @@ FN float same_reciprocal(float x) {
   return y;
 }
 
-// Below 2^-100 it is 0.
+// Returns the square root, or 0 below 2^-100.
 FN float same_root(float x) {
   if (!(x >= bits_float(0x0D800000u))) return 0.0f;
   EXACT float y = bits_float(0x5F375A86u - (float_bits(x) >> 1));

@@ -29,28 +29,28 @@ const uint BOUNCES_FOLLOWED = 16u;
 const uint DEEPEST_HALVING = 24u;
 
 // Part of a path, in seconds from the start of the step and metres along y in the frame. At t seconds from its begin
-// the sphere is at y + v*t + lift*t*t/2 or, up to `wander`, above or below.
+// the sphere is at y + v*t + lift*t*t/2, or up to `wander` above or below that.
 struct PathPart {
   double begin, end, y, v, lift, wander;
-  double rounding;  // of all places on the path, in metres
-  double speed;     // behind the bounce that ends the part, upwards
-  uint bounces;     // before it
-  bool falls;       // to the plane within the step; else this is the whole path
-  bool lifted;      // onto the plane at the start
+  double rounding;  // bound for all places on the path, in metres
+  double speed;     // after the bounce that ends the part, upwards
+  uint bounces;     // before this part
+  bool falls;       // reaches the plane within the step; else this is the whole path
+  bool lifted;      // was moved onto the plane at the start
 };
 
 FN double size_of(double x) { return x < bits_double(0u, 0u) ? -x : x; }
 FN double gravity_of(MotionParams m) { return size_of(exact_double(m.gravity)); }  // downwards
 FN double half_of(double x) { return times(x, double(0.5f)); }
 
-// Of the sum of the sizes of all terms of places: |x| + |y| + |z| + radius + |plane| + dt*(|vx| + |vy| + |vz| +
-// |g|*dt).
-// - A place is a sum of few of them, within 2^-50.
-// - The height above the plane is within 2^-52. If it is h off and the impact's speed is s, that comes h/s later and
-//   each flight lasts 2h/s longer: behind k bounces the sphere is off by (3 + 2k)*h at most, 2^-46.8 for 16.
-// - Square roots and quotients are within 2 ulp (wide.h), so times are within 2^-49.5 of dt, and speeds of s before and
-//   behind a bounce take that to 2^-48.5, since s*dt is below the sum.
-// Together below 2^-46; 2^-44 is taken.
+// Bounds the rounding of places on a path: 2^-44 of the sum of the sizes of all their terms, |x| + |y| + |z| + radius +
+// |plane| + dt*(|vx| + |vy| + |vz| + |g|*dt). Errors, as shares of that sum:
+// - A place is a sum of few terms, within 2^-50.
+// - The height above the plane is within 2^-52. If it is h off and the speed of impact is s, the impact comes h/s later
+//   and each flight lasts 2h/s longer: after k bounces the sphere is off by (3 + 2k)*h at most, 2^-46.8 for 16.
+// - Square roots and quotients are within 2 ulp (wide.h), so times are within 2^-49.5 of dt. Speeds s before and after
+//   a bounce bring that to 2^-48.5, since s*dt is below the sum.
+// Together they are below 2^-46; 2^-44 is taken.
 FN double rounding_of_path(vec4 s, vec4 velocity, MotionParams m) {
   double seconds = exact_double(m.dt);
   EXACT double speeds = (size_of(exact_double(velocity.x)) + size_of(exact_double(velocity.y))) +
@@ -61,7 +61,8 @@ FN double rounding_of_path(vec4 s, vec4 velocity, MotionParams m) {
   return rounding;
 }
 
-// From below the plane at `speed`, now at this height: between the plane and where it flies without pull.
+// Returns the part of a sphere that comes from below the plane at `speed` and is now at this height: it is between the
+// plane and where it would fly without gravity.
 FN PathPart part_from_below(PathPart part, double height, double speed, MotionParams m) {
   double zero = bits_double(0u, 0u);
   double gravity = gravity_of(m);
@@ -144,8 +145,8 @@ FN PathPart next_part(PathPart last, vec4 s, vec4 velocity, MotionParams m) {
   return part;
 }
 
-// Whether two spheres that are apart by (x, y, z) come within `reach` of each other on a straight path, with a margin
-// of 2^-44 of the squares compared. `from_start`: also where they are nearest at the start.
+// Whether two spheres at a distance of (x, y, z) come within `reach` of each other on a straight path, with a margin of
+// 2^-44 of the squares compared. from_start: also if they are nearest at the start.
 FN bool near_on_line(double x, double y, double z, double vx, double vy, double vz, double reach, double seconds,
                      bool from_start) {
   double zero = bits_double(0u, 0u);
@@ -174,9 +175,9 @@ FN bool near_on_line(double x, double y, double z, double vx, double vy, double 
   return parting < zero ? !(left > right) : !(gap > zero);
 }
 
-// The same of one part of each path, from `begin` to `end`. Where one sphere rests and the other flies, chords take the
-// place of the parabola, which is within lift*t*t/8 of them; where that may decide they are halved, until it is below
-// 2^-24 of the reach: a quartic that is as near to 0 for long does not exist, so halvings are few.
+// Tests one part of each path, from `begin` to `end`. If one sphere rests and the other flies, chords replace the
+// parabola, which is within lift*t*t/8 of them. A chord that may touch is halved until lift*t*t/8 is below 2^-24 of the
+// reach. Halvings are few, since no quartic stays so near to 0 for long.
 FN bool touch_on_parts(vec4 a, vec4 va, PathPart pa, vec4 b, vec4 vb, PathPart pb, double begin, double end,
                        double rounding) {
   double zero = bits_double(0u, 0u);
@@ -196,7 +197,7 @@ FN bool touch_on_parts(vec4 a, vec4 va, PathPart pa, vec4 b, vec4 vb, PathPart p
   double width = minus(end, begin);
   double t = zero;
   uint halvings = 0u;
-  uint chord = 0u;  // of 2^halvings
+  uint chord = 0u;  // number of the chord, out of 2^halvings
   for (;;) {
     EXACT double sagitta = (size_of(lift) * width) * (width * double(0.125f));
     EXACT double chord_x = x + vx * t;
@@ -227,7 +228,7 @@ FN bool touch_within(vec4 a, vec4 va, vec4 b, vec4 vb, MotionParams m, float sca
   PathPart pb = first_part(b, vb, m);
   double seconds = exact_double(m.dt);
   double begin = bits_double(0u, 0u);
-  double rounding = pa.falls || pb.falls ? plus(pa.rounding, pb.rounding) : begin;  // 0: from exact numbers
+  double rounding = pa.falls || pb.falls ? plus(pa.rounding, pb.rounding) : begin;  // 0: test starts from exact numbers
   for (uint turn = 0u; turn < 2u * BOUNCES_FOLLOWED + 4u; ++turn) {
     double end = pa.end < pb.end ? pa.end : pb.end;
     if (touch_on_parts(a, va, pa, b, vb, pb, begin, end, rounding)) return true;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A sphere as 16 halves (float16) for tensor cores. With A and B the halves of two spheres, sum over k of A[k] * B[k]
-// is negative for every pair that collides, and for few others: the filter of collide_tensor.
+// A sphere as 16 halves (float16) for tensor cores. With the halves A and B of two spheres, the sum over k of
+// A[k] * B[k] is negative for every pair that collides, and for few others. This is the filter of collide_tensor.
 //
 // Centres are relative to the middle of all spheres and scaled by a power of two, so that |x|, |y|, |z|, r < 2^12. Then
 //   G = (|a - b|^2 - (ra + rb)^2) / 2 = wa + wb - xa*xb - ya*yb - za*zb - ra*rb,   w = (x^2 + y^2 + z^2 - r^2) / 2,
 // is negative where they collide. A coordinate is high + low, w is 2^10 times the sum of three halves, and the radius
 // is one half, rounded up: three products a coordinate (low * low is left out), one of the radii, three for each w: 16.
 //
-// How far the sum may be above G, with e = 2^-23, N = x^2 + y^2 + z^2 and P = Na + Nb + ra^2 + rb^2, which bounds the
-// sum of all magnitudes. Halves are normal numbers or 0, so each product is exact in float32.
+// Bound on how far the sum may exceed G, with e = 2^-23, N = x^2 + y^2 + z^2 and P = Na + Nb + ra^2 + rb^2, which
+// bounds the sum of all magnitudes. Halves are normal numbers or 0, so each product is exact in float32.
 //   24 eP   the sum: tensor cores align a block of products, with the sum so far, to the greatest. They cut them 23
 //           bits or more below it, then cut the result to 24 bits. In blocks of four (V100) that is 4 * (5 + 1) cuts
 //           of eP; A100 has blocks of 8 and 24 bits, H100 one of 16 and 25 bits (Fasi, Higham, Mikaitis, Pranesh
@@ -19,26 +19,26 @@
 // Together 31.5 eP, so 32e = 2^-18 of N + r^2 is taken off w. Halves below 2^-14 become 0, so that nothing depends on
 // subnormal numbers: 2^-14 more of a coordinate, 3 of G in all, and 2^-4 of w: TENSOR_UNDERFLOW, for each sphere 2.
 //
-// The sum is kept as a half, rounded once: that keeps its sign, since a colliding pair's is below -0.5, and too large a
-// one becomes infinite. On an H200 its signs are those of float32 sums, of which none is wrong beyond 0.25 e of the
-// greatest product.
+// The sum is stored as a half, rounded once. That keeps its sign, since a colliding pair's sum is below -0.5; sums that
+// are too large become infinite. On an H200 the signs equal those of float32 sums, none of which is wrong by more than
+// 0.25 e of the greatest product.
 //
-// Relative to the greatest extent X the margin is at most 2^-16 X^2: pairs within some 2^-8 X of each other may be
-// near, which only costs time. What is not finite or out of range is near everything.
+// Relative to the greatest extent X the margin is at most 2^-16 X^2: pairs within some 2^-8 X of each other may count
+// as near, which only costs time. Spheres that are not finite or out of range are near every sphere.
 #ifndef SPHEREPAIR_TENSOR_FORM_H
 #define SPHEREPAIR_TENSOR_FORM_H
 
 #include "common/shared/exact.h"
 
 #define TENSOR_ROWS 1024         // spheres that a group of collide_tensor holds, a multiple of ...
-#define TENSOR_COLUMNS 256       // ... those of a tile that it tests them against
+#define TENSOR_COLUMNS 256       // ... the spheres of a tile that it tests them against
 #define TENSOR_BLOCK 512         // threads of that group in CUDA
 #define TENSOR_BOUNDS_GROUPS 64  // groups of tensor_bounds
-#define TENSOR_RANGE 4096.0f     // coordinates and radii are smaller
+#define TENSOR_RANGE 4096.0f     // upper limit of coordinates and radii
 #define TENSOR_UNDERFLOW 2.0f
 const uint HALF_1024 = 0x6400u;
 
-// Scaled coordinates are (position - origin) * w.
+// Returns the origin, and the scale in w: scaled coordinates are (position - origin) * w.
 FN vec4 tensor_frame(vec4 low, vec4 high) {
   EXACT float x = low.x * 0.5f + high.x * 0.5f;
   EXACT float y = low.y * 0.5f + high.y * 0.5f;
@@ -51,12 +51,12 @@ FN vec4 tensor_frame(vec4 low, vec4 high) {
   EXACT float below_z = z - low.z;
   float extent = larger(high.w, larger(above_x, larger(above_y, above_z)));
   extent = larger(extent, larger(below_x, larger(below_y, below_z)));
-  uint exponent = extent > bits_float(0x0D800000u) ? float_bits(extent) >> 23 : 27u;  // 2^-100 at least
+  uint exponent = extent > bits_float(0x0D800000u) ? float_bits(extent) >> 23 : 27u;  // at least 2^-100
   vec4 frame = {x, y, z, bits_float((265u - exponent) << 23)};                        // extent * w < 2^12
   return frame;
 }
 
-// The nearest half, or 0 below 2^-14. |x| < 65520.
+// Returns the nearest half, or 0 below 2^-14. |x| < 65520.
 FN uint nearest_half(float x) {
   uint bits = float_bits(x);
   uint magnitude = bits & 0x7FFFFFFFu;
@@ -64,7 +64,7 @@ FN uint nearest_half(float x) {
   magnitude += 0xFFFu + ((magnitude >> 13) & 1u);
   return ((bits >> 16) & 0x8000u) | ((magnitude - 0x38000000u) >> 13);
 }
-// The least half that is not below |x|, 2^-14 at least.
+// Returns the least half that is not below |x|, at least 2^-14.
 FN uint half_above(float x) {
   uint magnitude = float_bits(x) & 0x7FFFFFFFu;
   if (magnitude < 0x38800000u) magnitude = 0x38800000u;
@@ -75,7 +75,7 @@ FN float half_value(uint h) {
   return bits_float(((h & 0x8000u) << 16) | (((h & 0x7FFFu) << 13) + 0x38000000u));
 }
 
-// Two halves a word, k even in the low one. As matrix B has them; matrix A: see tensor_row_word.
+// A form, two halves a word, even k in the low half. It is in the order of matrix B; for matrix A see tensor_row_word.
 struct TensorForm {
   uvec4 low, high;  // k = 0..7 and 8..15
 };
@@ -87,7 +87,7 @@ FN TensorForm tensor_form_of(uint x, uint y, uint z, uint r, uint x_low, uint y_
   return form;
 }
 
-// A form whose w alone is not 0.
+// Returns a form in which only w is not 0.
 FN TensorForm tensor_form_of_w(float w) { return tensor_form_of(0u, 0u, 0u, 0u, 0u, 0u, 0u, nearest_half(w), 0u, 0u); }
 FN TensorForm never_near_form() { return tensor_form_of_w(30000.0f); }
 FN TensorForm always_near_form() { return tensor_form_of_w(-60000.0f); }
@@ -126,12 +126,12 @@ FN TensorForm tensor_form(vec4 a, vec4 frame) {
   return tensor_form_of(hx, hy, hz, hr, lx, ly, lz, w1, w2, nearest_half(w));
 }
 
-// Word `word` of matrix A is this word of the same sphere's form, ...
+// Returns which word of the same sphere's form becomes word `word` of matrix A, ...
 FN uint tensor_row_source(uint word) { return word < 2u ? word : word ^ 1u; }
-// ... with these signs turned.
+// ... and the signs to flip in it.
 FN uint tensor_row_signs(uint word) { return word < 4u ? 0x80008000u : word < 6u ? 0x8000u : 0u; }
 
-// Tiles of TENSOR_ROWS x TENSOR_COLUMNS pairs, each block of rows from its first row on.
+// Returns the number of tiles of TENSOR_ROWS x TENSOR_COLUMNS pairs; each block of rows begins at its first row.
 FN uint64_t tensor_tiles(uint64_t n) {
   uint64_t blocks = (n + uint64_t(TENSOR_ROWS - 1)) / uint64_t(TENSOR_ROWS);
   uint64_t columns = (n + uint64_t(TENSOR_COLUMNS - 1)) / uint64_t(TENSOR_COLUMNS);

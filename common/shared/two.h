@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compensated numbers: the unevaluated sum of two floats, about 48 bits, after Dekker (1971) and Knuth. Everything
-// rests on float additions and multiplications that are neither fused nor simplified.
+// Compensated numbers: the unevaluated sum of two floats, about 48 bits, after Dekker (1971) and Knuth. They need float
+// additions and multiplications that are neither fused nor simplified.
 #ifndef SPHEREPAIR_TWO_H
 #define SPHEREPAIR_TWO_H
 
@@ -32,7 +32,7 @@ FN Two negated(Two a) {
   return turned;
 }
 
-// a + b exactly; of the second, where |a| >= |b| or a = 0.
+// Return a + b exactly; the second needs |a| >= |b| or a = 0.
 FN Two exact_sum(float a, float b) {
   EXACT float sum = a + b;
   EXACT float from_b = sum - a;
@@ -51,7 +51,7 @@ FN Two ordered_sum(float a, float b) {
   return both;
 }
 
-// Half the bits of a; the other half is a minus it.
+// Returns the upper half of a's bits; the lower half is a minus it.
 FN float upper_half(float a) {
   EXACT float shifted = a * 4097.0f;
   EXACT float rest = shifted - a;
@@ -59,7 +59,7 @@ FN float upper_half(float a) {
   return upper;
 }
 
-// a * b exactly, unless it is below 2^-72, where halves of the factors would give denormal products.
+// Returns a * b exactly, unless it is below 2^-72, where halves of the factors would give denormal products.
 FN Two exact_product(float a, float b) {
   float product = times(a, b);
   Two rough = {product, 0.0f};
@@ -93,7 +93,7 @@ FN Two times(Two a, Two b) {
   return ordered_sum(product.hi, plus(product.lo, cross));
 }
 
-// Both from their correctly rounded float and one correction: errors below 2^-45 of the result.
+// Both take the correctly rounded float and correct it once: errors below 2^-45 of the result.
 FN Two quotient(Two a, Two b) {
   float first = quotient(a.hi, b.hi);
   Two rest = minus(a, times(b, widened(first, b)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic of float64 state. Quotients and square roots are fixed sequences of additions and multiplications from a
-// float32 guess made of integers: the same bits everywhere, within 2 ulp, not correctly rounded.
+// Arithmetic on float64 state. Quotients and square roots are fixed sequences of additions and multiplications from a
+// float32 guess made of integers. They have the same bits everywhere and are within 2 ulp, not correctly rounded.
 #ifndef SPHEREPAIR_WIDE_H
 #define SPHEREPAIR_WIDE_H
 
@@ -34,7 +34,7 @@ FN double times(double a, double b) {
   return product;
 }
 
-// The float32 next to x on the side of 0; 0 below 2^-126, the largest float above the floats.
+// Returns the float32 next to x on the side of 0: 0 below 2^-126, at most the largest float.
 FN float truncated(double x) {
   uint high = double_high(x);
   uint exponent = (high >> 20) & 2047u;
@@ -45,7 +45,7 @@ FN float truncated(double x) {
   return bits_float(sign | ((exponent - 896u) << 23) | fraction);
 }
 
-// a / b for 2^-120 < |b| < 2^120.
+// Returns a / b for 2^-120 < |b| < 2^120.
 FN double quotient(double a, double b) {
   double guess = double(quotient(1.0f, truncated(b)));
   double two = double(2.0f);
@@ -55,7 +55,7 @@ FN double quotient(double a, double b) {
   return plus(result, times(guess, minus(a, times(b, result))));
 }
 
-// For x < 2^120; 0 for what is below 2^-126.
+// Returns the square root for x < 2^120; 0 below 2^-126.
 FN double square_root(double x) {
   float first = square_root(truncated(x));
   if (first == 0.0f) return bits_double(0u, 0u);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contacts of spheres that push each other. State is in 64-bit integers (fixed.h); a step of the leapfrog adds to each
-// momentum the impulses of all contacts and of gravity, then moves the sphere by the momentum, rounded once. Every
-// impulse is rounded to an integer before it is added, so sums need no order; every operation is odd, so that of two
-// spheres each gets exactly the other's impulse with the sign turned.
+// Contacts of spheres that push each other. The state is in 64-bit integers (fixed.h). A leapfrog step adds the
+// impulses of all contacts and of gravity to each momentum, then moves the sphere by the momentum, rounded once. Every
+// impulse is rounded to an integer before it is added, so sums need no order. Every operation is odd, so each of two
+// spheres gets exactly the negative of the other's impulse.
 #ifndef SPHEREPAIR_CONTACT_H
 #define SPHEREPAIR_CONTACT_H
 
@@ -29,13 +29,13 @@ FN float cubed(float radius) {
   return cube;
 }
 
-// Units of length that a unit of momentum moves this sphere in a step: by its mass.
+// Returns how many units of length a unit of momentum moves this sphere in a step; its mass decides.
 FN float mobility_of(float radius, ContactParams c) { return corrected_quotient(c.mobility, cubed(radius)); }
 
-// The impulse along the gap over the gap's length: times the gap's components in unit_length it is the impulse.
-// closing: the relative speed, in units a step, dotted with these components; reduced_cube: of the radii, for the
-// reduced mass. Momenta are half a step older than the positions. The damper uses the speed in the middle of the step,
-// after half of the impulse: hence the divisor.
+// Returns the impulse over the gap's length: times the gap's components in unit_length it is the impulse. closing: the
+// relative speed, in units a step, dotted with these components. reduced_cube: of the radii, for the reduced mass.
+// Momenta are half a step older than positions. The damper uses the speed in the middle of the step, after half of the
+// impulse: hence the divisor.
 FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams c) {
   if (c.law == CONTACT_QUARTIC) {
     EXACT float depth = float_of(int64_t(g.reach * g.reach - g.square)) * power_of_two(-58);
@@ -68,8 +68,9 @@ FN float speed_of(int64_t momentum, float mobility) {
   EXACT float speed = float_of(momentum) * mobility;
   return speed;
 }
-// With drag, a sphere that a step would move by less than 2^-30 of the smallest radius stays in place, and its damper
-// gives nothing. That is about half a unit of its gaps (gap.h): too little to change an impulse.
+// Whether the sphere stays in place: with drag it does if a step would move it by less than 2^-30 of the smallest
+// radius. Its damper then gives nothing. That is about half a unit of its gaps (gap.h): too little to change an
+// impulse.
 FN bool stays(float speed, ContactParams c) {
   EXACT float slowest = c.fastest * power_of_two(-30);
   return c.drag_loss != 0.0f && speed < slowest && speed > -slowest;
@@ -96,7 +97,7 @@ FN Gap gap_between(Body a, Body b, ContactParams c) {
   return gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach_of_pair(a, b), c);
 }
 
-// What b gives a; a gives b the same with the sign turned.
+// Returns the impulse that b gives a; a gives b the negative.
 FN FloatPush float_push_of_pair(Body a, Body b, ContactParams c) {
   FloatPush push = {0.0f, 0.0f, 0.0f, FAULTS};
   float reach = reach_of_pair(a, b);
@@ -136,7 +137,7 @@ FN FloatPush sum_of_pushes(FloatPush a, FloatPush b) {
   return sum;
 }
 
-// What a wall at this distance gives the sphere, away from it; -1: its centre is behind the wall.
+// Returns the impulse of a wall at this distance, away from the wall; -1 if the centre is behind it.
 FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius, ContactParams c) {
   if (distance <= 0l) return -1l;
   Gap g = gap_of(distance, 0l, 0l, radius, c);
@@ -150,10 +151,10 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   return integer_of(push);
 }
 
-// Of walls as bits: low x, y, z, high x, y, z.
+// Walls are bits: low x, y, z, high x, y, z.
 const uint ALL_WALLS = 63u;
 
-// The walls that are nearer than the power of two above the radius: most spheres have none.
+// Returns the walls nearer than the power of two above the radius: most spheres have none.
 FN uint walls_near(Body s, ContactParams c) {
   int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
   return (s.x - c.low_x < reach ? 1u : 0u) | (s.y - c.low_y < reach ? 2u : 0u) | (s.z - c.low_z < reach ? 4u : 0u) |
@@ -161,8 +162,8 @@ FN uint walls_near(Body s, ContactParams c) {
 }
 FN int64_t on_axis(uint axis, int64_t x, int64_t y, int64_t z) { return axis == 0u ? x : (axis == 1u ? y : z); }
 
-// A loop over the walls that are near: a GPU's threads then run the same code, once, whichever wall is theirs.
-// tests_all: also over the others, which changes nothing.
+// Sums the impulses of near walls. It loops over them so that a GPU's threads run the same code, whichever wall is
+// theirs. tests_all: also over the other walls, which changes nothing.
 FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
   Push sum = {0l, 0l, 0l, FAULTS};
   for (uint left = tests_all ? ALL_WALLS : walls_near(s, c); left != 0u;) {
@@ -184,7 +185,7 @@ FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
   return sum;
 }
 
-// In units a step.
+// Returns speeds in units of length a step.
 FN vec4 speeds_of(Body s, float mobility) {
   vec4 speeds = {speed_of(s.px, mobility), speed_of(s.py, mobility), speed_of(s.pz, mobility), 0.0f};
   return speeds;
@@ -193,14 +194,14 @@ FN vec4 speeds_of(Body s, float mobility) {
 FN bool outside_range(int64_t x) { return x >= MOST_UNITS || x <= -MOST_UNITS; }
 FN bool too_fast(float speed, ContactParams c) { return speed > c.fastest || speed < -c.fastest; }
 
-// What is wrong with a sphere that is to move at these speeds: FAULT_*, or FAULTS.
+// Returns what stops a sphere from moving at these speeds: a FAULT_*, or FAULTS for nothing.
 FN uint fault_of(Body s, vec4 speeds, ContactParams c) {
   if (outside_range(s.x) || outside_range(s.y) || outside_range(s.z)) return FAULT_RANGE;
   return too_fast(speeds.x, c) || too_fast(speeds.y, c) || too_fast(speeds.z, c) ? FAULT_FAST : FAULTS;
 }
 FN bool any_fault(uint deep, uint fast, uint range) { return (deep & fast & range) != 0xFFFFFFFFu; }
 
-// Momentum before position, by the impulses of spheres, walls and gravity.
+// Returns the sphere after the impulses of spheres, walls and gravity; its position has not moved yet.
 FN Body kicked(Body s, Push contacts, Push walls, ContactParams c) {
   EXACT float weight = c.gravity * cubed(s.radius);
   s.px += contacts.x + walls.x;
@@ -215,7 +216,7 @@ FN Body drifted(Body s, vec4 speeds, float mobility, ContactParams c) {
   return s;
 }
 
-// The float32 centre and velocity nearest to the state.
+// Return the float32 centre and velocity nearest to the state.
 FN vec4 centre_of(Body s, ContactParams c) {
   float unit = power_of_two(-c.unit_exponent);
   EXACT float x = float_of(s.x) * unit;

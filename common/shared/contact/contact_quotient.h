@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quotient and square root with the bits of those of real.h, in a few operations in place of 25 turns of a loop: a
-// guess by the machine's own division, however it rounds, is corrected by the remainder, which is an integer.
+// Quotient and square root with the same bits as in real.h, but in a few operations instead of a loop of 25 iterations.
+// A guess by the machine's own division, however it rounds, is corrected by the remainder, an integer.
 #ifndef SPHEREPAIR_CONTACT_QUOTIENT_H
 #define SPHEREPAIR_CONTACT_QUOTIENT_H
 
@@ -12,7 +12,7 @@ struct Digits {
   int rest;
 };
 
-// floor(2^24 a/b) and what it leaves, of 2^23 <= b <= a < 2b, from a guess within 2^6 of it: remainders are then within
+// Returns floor(2^24 a/b) and the remainder for 2^23 <= b <= a < 2b, from a guess within 2^6. Remainders then fit into
 // 32 bits, and so are right in arithmetic modulo 2^32.
 FN Digits digits_of_quotient(uint a, uint b, uint guess) {
   Digits d = {guess, int((a << 24) - guess * b)};
@@ -27,7 +27,7 @@ FN Digits digits_of_quotient(uint a, uint b, uint guess) {
   return d;
 }
 
-// floor(sqrt(2^25 x)) and what its square leaves, of 2^23 <= x < 2^25, from a guess within 2^4 of it.
+// Returns floor(sqrt(2^25 x)) and the remainder of its square, for 2^23 <= x < 2^25, from a guess within 2^4.
 FN Digits digits_of_root(uint x, uint guess) {
   Digits d = {guess, int((x << 25) - guess * guess)};
   while (d.rest < 0) {
@@ -41,7 +41,7 @@ FN Digits digits_of_root(uint x, uint guess) {
   return d;
 }
 
-// As quotient().
+// Returns the bits of quotient().
 FN float corrected_quotient(float a, float b) {
   uint sign = (float_bits(a) ^ float_bits(b)) & 0x80000000u;
   if (exponent_field(a) == 0u) return 0.0f;
@@ -56,7 +56,7 @@ FN float corrected_quotient(float a, float b) {
   return bits_float(sign | rounded_bits(d.whole, uint(d.rest), exponent));
 }
 
-// As square_root().
+// Returns the bits of square_root().
 FN float corrected_root(float x) {
   if (!(x > 0.0f) || exponent_field(x) == 0u) return 0.0f;
   uint even = (exponent_field(x) & 1u) ^ 1u;

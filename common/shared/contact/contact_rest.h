@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Drag by a fluid at rest, with which spheres come to rest to the bit, and spheres at rest, which a step passes over
-// (sleeping): the impulses on a sphere depend on its own state and on those of its near spheres alone, so where none of
-// these changed in the last step, the sphere's does not change in this one.
+// Drag by a fluid at rest, and sleeping: steps skip spheres that have come to rest to the bit. The impulses on a sphere
+// depend only on its own state and on its near spheres' states. If none of these changed in the last step, the sphere
+// does not change in this one.
 #ifndef SPHEREPAIR_CONTACT_REST_H
 #define SPHEREPAIR_CONTACT_REST_H
 
 #include "common/shared/contact/contact.h"
 #include "common/shared/contact/skin.h"
 
-// Of SLOT_REST: what the last step did to each sphere. Awake are those that are not at rest: all, where near pairs have
-// just been listed, since a sphere that flew off may have left the list.
+// Values of SLOT_REST: what the last step did to each sphere. Spheres not at rest are awake. All are awake when near
+// pairs have just been listed, since a sphere that flew off may have left the list.
 #define REST_MOVED 0u     // changed its state
-#define REST_SAME 1u      // did not, and no near sphere's: at rest
-#define REST_AWAKENED 2u  // did not, but a near sphere's
+#define REST_SAME 1u      // changed nothing, nor did its near spheres: at rest
+#define REST_AWAKENED 2u  // changed nothing, but a near sphere did
 
-// ContactParams::sleeping: one of SLEEP_MODES, and TESTS_ALL_WALLS of leapfrog.
+// ContactParams::sleeping is one of SLEEP_MODES, plus TESTS_ALL_WALLS for leapfrog.
 #define SLEEP_MODES 3u
 #define SLEEP_NEVER 0u    // SLOT_REST is not used
-#define SLEEP_AT_REST 1u  // spheres at rest are passed over
-#define SLEEP_AWAKENS 2u  // of contact_pairs, ahead of the above: awakens what is near a sphere that moved
+#define SLEEP_AT_REST 1u  // steps skip spheres at rest
+#define SLEEP_AWAKENS 2u  // contact_pairs, launched before that: awakens spheres near one that moved
 #define TESTS_ALL_WALLS 4u
 FN uint sleep_mode(ContactParams c) { return c.sleeping & SLEEP_MODES; }
 
-// By the drag of half a step. The factor is the loss and not what is left: float32 keeps 24 bits of a small loss, but
-// few of the difference between 1 and a factor near 1.
+// Applies the drag of half a step. The factor is the loss, not the remainder: float32 keeps 24 bits of a small loss,
+// but few of the difference between 1 and a factor near 1.
 FN Body slowed(Body s, ContactParams c) {
   if (c.drag_loss == 0.0f) return s;
   s.px -= scaled(s.px, c.drag_loss);
@@ -32,7 +32,7 @@ FN Body slowed(Body s, ContactParams c) {
   return s;
 }
 
-// Momentum before position, by half of the drag, the impulses, and the other half.
+// Returns the sphere after half of the drag, the impulses, and the other half; its position has not moved yet.
 FN Body kicked_in_fluid(Body s, Push contacts, Push walls, ContactParams c) {
   return slowed(kicked(slowed(s, c), contacts, walls, c), c);
 }

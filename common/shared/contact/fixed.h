@@ -6,14 +6,14 @@
 
 #include "common/shared/real.h"
 
-const int64_t MOST_UNITS = 0x2000000000000000l;  // 2^61: of positions
+const int64_t MOST_UNITS = 0x2000000000000000l;  // 2^61: positions are below it
 
 FN uint64_t magnitude(int64_t x) { return uint64_t(x < 0l ? -x : x); }
 FN int64_t with_sign(uint64_t x, int64_t sign) { return sign < 0l ? -int64_t(x) : int64_t(x); }
 
 FN float power_of_two(int exponent) { return bits_float(uint(exponent + 127) << 23); }  // -126..127
 
-// The nearest float, ties to even.
+// Returns the nearest float, ties to even.
 FN float float_of(int64_t x) {
   uint64_t whole = magnitude(x);
   uint sign = x < 0l ? 0x80000000u : 0u;
@@ -26,7 +26,7 @@ FN float float_of(int64_t x) {
   return bits_float(whole != 0ul ? bits : 0u);
 }
 
-// The nearest integer, ties to even, of |x| < 2^61; what is larger, or not a number, becomes +-2^61.
+// Returns the nearest integer, ties to even, for |x| < 2^61; larger numbers and NaN become +-2^61.
 FN int64_t integer_of(float x) {
   uint bits = float_bits(x) & 0x7FFFFFFFu;
   int64_t sign = float_bits(x) == bits ? 1l : -1l;
@@ -37,10 +37,10 @@ FN int64_t integer_of(float x) {
   return with_sign(uint64_t(uint(whole)), sign);
 }
 
-// x / 2^bits, towards 0.
+// Returns x / 2^bits, rounded towards 0.
 FN int64_t shifted(int64_t x, int bits) { return with_sign(magnitude(x) >> uint(bits), x); }
 
-// x * factor, rounded once: halves away from 0. 2^-72 <= factor < 2^22, and the product below 2^61.
+// Returns x * factor, rounded once, halves away from 0. 2^-72 <= factor < 2^22, and the product below 2^61.
 FN int64_t scaled(int64_t x, float factor) {
   uint64_t whole = magnitude(x);
   uint64_t digits = uint64_t(significand(factor));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gap of a contact. Its lengths are integers of 2^-29 of the power of two below the reach (the sum of the radii):
-// their squares and the difference of two of these are exact.
+// The gap of a contact. Its lengths are integers, in units of 2^-29 of the power of two below the reach (the sum of the
+// radii). Their squares and the difference of two squares are exact.
 #ifndef SPHEREPAIR_GAP_H
 #define SPHEREPAIR_GAP_H
 
@@ -8,12 +8,12 @@
 #include "common/shared/layout.h"
 #include "common/shared/round.h"
 
-// From one surface or centre to the other.
+// The vector from one centre, or from a wall, to the other centre.
 struct Gap {
   int64_t x, y, z;
   uint64_t square;  // of the distance
   uint64_t reach;
-  float scale;  // metres of 2^29 of these units, over those of the largest reach
+  float scale;  // metres in 2^29 of these units, relative to the largest reach
 };
 
 const uint64_t FAR_APART = 0xFFFFFFFFFFFFFFFFul;
@@ -43,12 +43,12 @@ FN float unit_length(int64_t x) {
   return length;
 }
 
-// Of a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
+// For a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
 struct Surface {
   float inverse_distance, overlap;
 };
 
-// The root of the square from a float guess, corrected by what the guess's own square leaves, which is an integer.
+// Takes the root of the square: a float guess, corrected by the remainder of the guess's own square, an integer.
 FN Surface surface_of(Gap g) {
   EXACT float square = float_of(int64_t(g.square)) * power_of_two(-58);
   float guess = same_root(square);

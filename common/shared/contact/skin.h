@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// When near pairs have to be listed again: they serve contacts for many steps (a Verlet list). The list is a search of
-// the spheres' float32 centres with radii grown by a skin, and serves while each sphere's centre has gone no farther
-// than its own skin since, less the rounding of both centres: of a pair in contact the grown spheres then collided.
+// When near pairs have to be listed again. A list of near pairs (a Verlet list) serves contacts for many steps. The
+// search lists pairs of float32 centres with radii grown by a skin. The list serves while no centre has moved farther
+// than its own skin, less the rounding of both centres: then the grown spheres of any pair in contact had collided.
 #ifndef SPHEREPAIR_SKIN_H
 #define SPHEREPAIR_SKIN_H
 
 #include "common/shared/layout.h"
 
-// Words of SLOT_FAULT behind the faults. Steps are launched ahead; once a sphere has left its skin, those behind do
-// nothing: contact_pairs or contact_gather, during which nobody writes LEFT_SKIN, tells leapfrog by STOPPED, and counts
-// the others.
-#define LEFT_SKIN FAULTS           // a sphere that has, or ~0
+// Words of SLOT_FAULT after the faults. Steps are launched ahead. Once a sphere has left its skin, later steps do
+// nothing: contact_pairs or contact_gather, during which LEFT_SKIN does not change, sets STOPPED for leapfrog.
+// Otherwise it counts the step as done.
+#define LEFT_SKIN FAULTS           // a sphere that has left its skin, or ~0
 #define STOPPED (FAULTS + 1u)      // not 0: this step does nothing
 #define STEPS_DONE (FAULTS + 2u)   // since near pairs were listed
-#define LONGEST_ROW (FAULTS + 3u)  // near pairs of the sphere with most, where that is more than rows have room for
+#define LONGEST_ROW (FAULTS + 3u)  // length of the longest row, if it has more near pairs than room
 #define FAULT_WORDS (FAULTS + 4u)
 
 FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
@@ -22,7 +22,7 @@ FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
   vec4 grown = {sphere.x, sphere.y, sphere.z, radius};
   return grown;
 }
-FN float centre_rounding(vec4 centre) {  // of this centre and of one in its place: each 2^-24 of a coordinate at most
+FN float centre_rounding(vec4 centre) {  // of this centre and a later one: each 2^-24 of a coordinate at most
   EXACT float sum = larger(centre.x, -centre.x) + larger(centre.y, -centre.y) + larger(centre.z, -centre.z);
   EXACT float rounding = sum * bits_float(0x34200000u);  // 1.25 * 2^-23
   return rounding;
@@ -34,11 +34,12 @@ FN float squared_between(vec4 a, vec4 b) {
   EXACT float square = (x * x + y * y) + z * z;
   return square;
 }
-// Never of spheres that gap_between finds in contact. With u = 2^-24, r the sum of the radii and s the sum of all six
-// coordinates without signs: gaps are cut off to 2^-29 of r, so integers in contact are within r(1 + u/16). Centres are
-// the nearest floats, at the start within half a unit of length (r * u/128), hence within r(1 + u/8) + u * s, and their
-// square as computed is below that of this bound times 1 + 5u. Here s is taken 1.25u times, which covers the roundings
-// of its sum; 1 + 16u covers u/8, 5u/2 and 5u/2 for the roundings of reach and its square.
+// Whether two spheres are certainly apart; never true of spheres that gap_between finds in contact. With u = 2^-24, r
+// the sum of the radii and s the sum of all six coordinates without signs: gaps are cut off to 2^-29 of r, so integers
+// in contact are within r(1 + u/16). Centres are the nearest floats, at the start within half a unit of length
+// (r * u/128), hence within r(1 + u/8) + u * s, and their square as computed is below that of this bound times 1 + 5u.
+// Here s is taken 1.25u times, which covers the roundings of its sum; 1 + 16u covers u/8, 5u/2 and 5u/2 for the
+// roundings of reach and its square.
 FN bool is_apart(vec4 a, vec4 b) {
   EXACT float rounding = (centre_rounding(a) + centre_rounding(b)) * 0.5f;
   EXACT float reach = ((a.w + b.w) + rounding) * bits_float(0x3F800008u);  // 1 + 2^-20
@@ -50,14 +51,15 @@ FN float free_path(vec4 sphere, vec4 grown) {
   EXACT float path = skin - centre_rounding(sphere);
   return path;
 }
-// Also where rounding takes half of the skin: pairs are then listed in the next step, which finds the sphere too far
-// out. So a run ends in the same step wherever it was cut, since a cut lists pairs, too.
+// Whether a sphere has left its skin, or rounding takes half of the skin. In the latter case the next step lists pairs
+// and finds the sphere too far out. So a run ends in the same step wherever it was cut, since a cut lists pairs, too.
 FN bool has_left_skin(vec4 sphere, vec4 grown) {
   float path = free_path(sphere, grown);
   EXACT float longest = path * path;
   return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);
 }
-// Too far from the origin for its radius: rounding takes more than half of the skin. has_left_skin is true then, too.
+// Whether a sphere is too far from the origin for its radius: rounding takes more than half of the skin. Then
+// has_left_skin is true, too.
 FN bool is_too_far(vec4 sphere, ContactParams c) {
   EXACT float half_skin = sphere.w * c.skin * 0.5f;
   return !(centre_rounding(sphere) < half_skin);
