@@ -8,10 +8,10 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t visible_groups = 2112;                       // that run at once on the largest device
-constexpr uint64_t clusters_groups = 4096, cull_groups = 8192;  // that fill it
+constexpr uint64_t visible_groups = 2112;                       // groups that run at once on the largest device
+constexpr uint64_t clusters_groups = 4096, cull_groups = 8192;  // groups that fill it
 
-// What the times of a phase are called where not by the kernels' names.
+// Names of a phase's times that differ from the kernels' names.
 struct Stages {
   const char *pyramid, *cull, *clusters;
 };
@@ -28,8 +28,8 @@ void ClusterCulling::upload() {
   visible_known_ = false;
 }
 
-// Boxes last until spheres move or are sorted anew. Of spheres that move they are made for every image, and the borders
-// of cells, which are less work, bound them closely enough.
+// Makes the clusters' bounding boxes, which last until spheres move or are sorted again. Moving spheres need them for
+// every image; cell borders then serve as boxes, which are less work and close enough.
 void ClusterCulling::make_boxes(const Frame& frame, bool by_cells) {
   const View& view = frame.view;
   context_.buffers.grow(SLOT_CLUSTER_LIST, uint64_t(view.clusters) * 3 * sizeof(uint));
@@ -53,12 +53,12 @@ void ClusterCulling::prepare_list() {
   context_.buffers.resize(SLOT_SEEN_LIST, 2 * (context_.n + 1) * sizeof(uint));
   context_.buffers.write(SLOT_SEEN_LEFT, std::vector<uint>(context_.n / 8 + 1));
   context_.buffers.write(SLOT_DRAWN, std::vector<uint>(2 * DRAWN_WORDS));
-  const uint64_t words = context_.buffers.bytes(SLOT_VISIBLE) / sizeof(uint);  // of larger images, too
+  const uint64_t words = context_.buffers.bytes(SLOT_VISIBLE) / sizeof(uint);  // may be from larger images
   context_.buffers.write(SLOT_VISIBLE, std::vector<uint>(words, ~0u));
   visible_known_ = true;
 }
 
-// Spheres of the last images are listed by sphere index, clusters are ranges of the frame's order.
+// Draws one phase. Spheres of recent images are listed by sphere index, clusters are ranges of the frame's order.
 void ClusterCulling::draw_phase(Frame& frame, uint phase) {
   frame.view.phase = phase;
   const bool previous = phase == PHASE_SEEN;
@@ -74,7 +74,7 @@ void ClusterCulling::draw_phase(Frame& frame, uint phase) {
   if (frame.view.pass == PASS_DEPTH && phase != PHASE_NEAR) launch_tiles(context_, frame);  // else with the next
 }
 
-// In the box of the dense cells: what is near then hides what is far, gaps or not.
+// Whether the eye is in the box of the dense cells. Near spheres then hide far ones, gaps or not.
 bool ClusterCulling::eye_among_cells(const Frame& frame) const {
   const Params& params = context_.params;
   const auto within = [&](float eye, float origin, uint cells) {
@@ -87,7 +87,7 @@ bool ClusterCulling::eye_among_cells(const Frame& frame) const {
          within(eye.z, params.grid.origin_z, params.grid.cells_z);
 }
 
-// Which clusters are to be drawn in this phase, by the depth pyramid of what is drawn already.
+// Chooses the clusters of this phase by the depth pyramid of what is drawn already.
 void ClusterCulling::cull(Frame& frame, uint phase) {
   View& view = frame.view;
   view.phase = phase;

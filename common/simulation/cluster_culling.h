@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two-pass occlusion culling of clusters: the spheres that the last images showed are drawn first, a depth pyramid is
-// made of them, and of the rest only what that does not hide is drawn. Where the camera moved, gaps open between the
-// spheres drawn first; of many spheres the near clusters fill them before the far ones are tested.
+// Two-pass occlusion culling of clusters. It draws the spheres visible in the last images first, makes a depth pyramid
+// of them, then draws the rest that the pyramid does not hide. Where the camera moved, gaps open between the spheres
+// drawn first. For many spheres the near clusters fill these gaps before the far ones are tested.
 #pragma once
 
 #include <vector>
@@ -16,15 +16,14 @@ class ClusterCulling {
   ClusterCulling(DeviceContext& context, const CellSorter& sorter) : context_(context), sorter_(sorter) {}
 
   void upload();
-  void forget_visible() { visible_known_ = false; }  // the pixels of the last image are gone
+  void forget_visible() { visible_known_ = false; }  // call when the last image's pixels are lost
 
-  // Before the pixels of the last image are cleared: the list of the spheres that they show. All of it is empty for a
-  // new scene.
+  // Prepares the list of the spheres in the last image's pixels, before these are cleared. A new scene's list is empty.
   void prepare_list();
-  uint turn() const { return turn_; }  // View::turn of the next image
+  uint turn() const { return turn_; }  // for View::turn of the next image
   void end_image() { turn_ = 1 - turn_; }
 
-  // by_cells: the borders of the cells are the boxes of the clusters.
+  // Draws all phases. by_cells: use the borders of cells as the clusters' boxes.
   void draw(Frame& frame, bool by_cells);
 
  private:
@@ -36,9 +35,9 @@ class ClusterCulling {
 
   DeviceContext& context_;
   const CellSorter& sorter_;
-  std::optional<Order> boxes_of_;  // the order whose clusters have boxes ...
-  uint64_t boxes_version_ = 0;     // ... of the spheres as they were then
-  bool visible_known_ = false;     // SLOT_VISIBLE, or the list made of it, has spheres of this scene
+  std::optional<Order> boxes_of_;  // order whose clusters have boxes ...
+  uint64_t boxes_version_ = 0;     // ... at this version of the spheres
+  bool visible_known_ = false;     // SLOT_VISIBLE, or the list from it, is of this scene
   uint turn_ = 0;
 };
 

@@ -12,9 +12,9 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t most_groups = 4096;  // which take turns
+constexpr uint64_t most_groups = 4096;  // upper limit; groups loop over the rest
 constexpr uint64_t most_row_entries = uint64_t(1) << 32;
-constexpr uint first_row_capacity = 14;  // equal spheres seldom have more within their skins
+constexpr uint first_row_capacity = 14;  // enough for most equal spheres within their skins
 
 }  // namespace
 
@@ -87,7 +87,7 @@ bool Contacts::complete() {
   return repeated;
 }
 
-// A list of near pairs serves at least one step.
+// Throws unless the steps done are at least one and fewer than were launched: every list serves at least one step.
 void Contacts::require_progress() const {
   if (known_ > 0 && known_ < launched_) return;
   throw BackendError(
@@ -98,7 +98,7 @@ void Contacts::require_progress() const {
 
 void Contacts::launch(bool clear_results) {
   ++launched_;
-  Params params = pair_params();  // the same for both launches and for all steps, so that they are sent once
+  Params params = pair_params();  // equal for both launches and all steps, so sent once
   params.motion.clear_results = clear_results;
   const auto by_sphere = groups_per_sphere(context_);
   context_.device.begin_step({});
@@ -131,19 +131,19 @@ void Contacts::launch_pairs(Kernel kernel, const Params& params) {
 }
 
 void Contacts::list_near_pairs() {
-  made_ = left_ = false;  // until it is, should that fail
+  made_ = left_ = false;  // made_ stays false if the list fails
   done_ += known_;
   launched_ = known_ = 0;
   const bool sleeps = sleeps_ && sums_ == ImpulseSums::integers;
   context_.params.contact.sleeping = (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
-  context_.set_near({});  // so that the list can grow in its place
+  context_.set_near({});  // so that the list can grow in place
   context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN)));
   if (sums_ == ImpulseSums::in_order) list_rows();
   made_ = true;
 }
 
-// The near pairs of each sphere in ascending order. Rows that turn out too short are filled again.
+// Lists the near spheres of each sphere in ascending order. Rows that turn out too short are filled again.
 void Contacts::list_rows() {
   uint& capacity = context_.params.contact.row_capacity;
   const auto fill = [&](uint wanted) {

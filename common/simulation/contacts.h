@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts that push, on a device: the list of near pairs, their impulses, and what a step could not do.
+// Contacts that push, on a device: the list of near pairs, their impulses, and errors of steps.
 #pragma once
 
 #include "common/simulation/motion/device_motion.h"
@@ -11,36 +11,36 @@ class Contacts {
  public:
   Contacts(DeviceContext& context, DeviceMotion& motion) : context_(context), motion_(motion), near_(context.device) {}
 
-  // The scene's part of the parameters; after the motion's upload, whose method decides what the buffers are for, and
-  // after that of the scene's own search.
+  // Sets the scene's part of the parameters and the buffers. Call it after the motion's upload, whose method decides
+  // the buffers, and after the upload of the scene's own search.
   void upload(const Scene& scene, uint64_t steps_before);
   bool on() const { return on_; }
 
-  void keep_list(bool on) { keeps_ = on; }  // else near pairs are listed in every step
-  void forget_list() { made_ = false; }     // others are being listed; where all steps are done
+  void keep_list(bool on) { keeps_ = on; }  // false: list near pairs in every step
+  void forget_list() { made_ = false; }     // the list is overwritten; only when all steps are done
 
-  // From the next step on, for measuring; all steps before must be complete.
+  // For measuring: sums impulses so from the next step on. All earlier steps must be complete.
   void sum_impulses(ImpulseSums sums);
   ImpulseSums sums() const { return sums_; }
 
   uint64_t steps() const { return done_ + known_; }  // those before the upload included
 
-  // Launches a step of the motion. It waits for the device only where near pairs have to be listed, or may have to be
-  // soon: the steps behind one in which a sphere left its skin do nothing, and are launched again by `complete`, which
-  // then returns true. clear_results: the step clears the results of the last search.
+  // Launches a step of the motion. It waits for the device only if near pairs must be listed, or soon may have to be.
+  // After a sphere leaves its skin, later steps are no-ops; complete() lists near pairs anew, relaunches these steps
+  // and returns true. clear_results: the step clears the results of the last search.
   void step(bool clear_results);
   bool complete();
 
   void check_guards() { near_.check_guards(); }
 
-  // Throws std::invalid_argument naming the sphere where a step since the upload was not possible; none was taken
-  // since. All steps must be complete.
+  // Throws std::invalid_argument, naming the sphere, if a step since the upload was not possible. No step is taken
+  // after such a one. All steps must be complete.
   void require_sound();
 
  private:
   void list_near_pairs();
   void list_rows();
-  void require_progress() const;  // throws BackendError where the steps done are none, or more than were launched
+  void require_progress() const;  // throws BackendError if the steps done are none or too many
   void launch(bool clear_results);
   Params pair_params() const;
   void launch_impulses(const Params& params);
@@ -49,17 +49,17 @@ class Contacts {
 
   DeviceContext& context_;
   DeviceMotion& motion_;
-  NearPairs near_;  // of the spheres grown by their skins
-  // Steps since they were listed: launched, of these known to be done, and when to ask next.
+  NearPairs near_;  // pairs of the spheres grown by their skins
+  // Steps with this list: launched, known to be done, and when to ask next.
   uint launched_ = 0, known_ = 0, next_check_ = 0;
-  uint served_ = 1;  // steps by the list before
+  uint served_ = 1;  // steps that the previous list served
   ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
   bool sleeps_ = false;  // spheres may come to rest
   bool tests_all_walls_ = false;
-  bool left_ = false;    // a sphere has left its skin in the last step known to be done
-  bool failed_ = false;  // that step could not be taken
-  uint64_t done_ = 0;    // steps before the list
+  bool left_ = false;    // the last step known to be done had a sphere leave its skin
+  bool failed_ = false;  // that step was not possible
+  uint64_t done_ = 0;    // steps before this list
 };
 
 }  // namespace spherepair

@@ -7,7 +7,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint tile_groups = 1024;  // that fill a large device
+constexpr uint tile_groups = 1024;  // enough to fill a large device
 
 const char* tiles_stage(uint phase) {
   constexpr const char* names[] = {"draw_tiles_seen", "draw_tiles_rest", nullptr, "draw_tiles_far", "draw_tiles_rest"};
@@ -39,8 +39,8 @@ void restart_tiles(DeviceContext& context, Frame& frame) {
   context.buffers.write(SLOT_DRAWN, none, DRAWN_TILES * sizeof(uint), sizeof(none));
 }
 
-// All spheres lie in the cells' box, so none looks larger than the largest would in its nearest corner, at the image's
-// edge.
+// Bounds the largest sphere's size in pixels. All spheres are in the cells' box, so none looks larger than the largest
+// would in the nearest corner, at the image's edge.
 bool may_look_large(const View& view, const GridPlan& plan) {
   const double eye[] = {view.eye.x, view.eye.y, view.eye.z};
   const double forward[] = {view.forward.x, view.forward.y, view.forward.z};
@@ -51,7 +51,7 @@ bool may_look_large(const View& view, const GridPlan& plan) {
     close += std::min(forward[axis] * low, forward[axis] * high);
     coordinates += std::abs(eye[axis]) + std::max(std::abs(low), std::abs(high));
   }
-  close -= coordinates * 0x1p-20;  // more than rounding takes from a coordinate
+  close -= coordinates * 0x1p-20;  // more than the rounding of a coordinate
   if (!(close > 1.01 * radius)) return true;
   const double aside = std::max(view.half_x, view.half_y), beyond = std::max(view.norm_x, view.norm_y) * radius;
   const double pixels = 2 * radius * view.focal * ((1 + aside) * close + beyond) / (close * close - radius * radius);

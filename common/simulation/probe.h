@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels with the simulation: the predicate alone, an empty launch, and the device's peak rates.
+// Kernels that measure: the predicate alone, an empty launch, and the device's peak rates.
 #pragma once
 
 #include "common/device/context.h"
@@ -15,7 +15,7 @@ class Probe {
   void launch_empty(uint groups);
   void enqueue_empty_step(uint launches, const ApiOptions& api);
 
-  // Writes over velocities or counts; `check_peak_rate` throws BackendError when the result is wrong.
+  // Overwrites velocities or counts. check_peak_rate throws BackendError if the result is wrong.
   void launch_peak_rate(PeakRate rate);
   void check_peak_rate(PeakRate rate);
 

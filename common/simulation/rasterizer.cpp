@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // that the list has room for at first
+constexpr uint64_t least_tiles = 1 << 16, most_tiles = 1 << 22;  // initial size of the list of tiles
 
 static_assert(sizeof(View) == 256);
 
@@ -57,8 +57,8 @@ bool Rasterizer::current(const View& view, const DrawOptions& options) const {
          options == options_;
 }
 
-// Light needs dense cells. Where the search had others, the spheres are sorted once more, and the image does without
-// the search's order.
+// Launches an image. Light needs dense cells: if the search used others, the spheres are sorted again, and the image
+// does not use the search's order.
 void Rasterizer::launch() {
   if (motion_.evaluate_positions()) search_.cleared();
   if (lit() && !sorter_.built_for_light()) {
@@ -100,8 +100,8 @@ Frame Rasterizer::make_frame() {
   return frame;
 }
 
-// Images by turns in two buffers of pixels have nothing in common but what they read, where nothing is counted or
-// listed. Others use the first.
+// Chooses the buffer of pixels. Images alternate between two buffers, and then share only what they read, if nothing is
+// counted or listed. Other images use the first buffer.
 void Rasterizer::choose_pixels(Frame& frame, bool alone) {
   const bool shares = alone || !context_.device.capabilities().overlaps_images || !options_.overlap ||
                       frame.view.counting || frame.may_have_tiles;
@@ -117,7 +117,8 @@ void Rasterizer::make_pixels(uint slot, uint64_t bytes) {
   context_.buffers.resize(slot, bytes);
 }
 
-// Where the visible spheres are not kept, their pixels, and the counts, are cleared for the next image.
+// Draws with compute kernels. Unless the visible spheres are kept, their pixels and the counts are cleared for the next
+// image.
 void Rasterizer::launch_compute() {
   context_.buffers.grow(SLOT_IMAGE, pixels(view_) * sizeof(uint));
   context_.buffers.grow(SLOT_DRAWN, 2 * DRAWN_WORDS * sizeof(uint));
@@ -140,7 +141,7 @@ void Rasterizer::launch_compute() {
   if (view.occlusion) culling_.end_image();
 }
 
-// One pass with 64-bit atomics, else one for depths and one for indices.
+// Draws in one pass with 64-bit atomics, else in a pass for depths and one for indices.
 void Rasterizer::draw_all(Frame& frame) {
   for (const uint pass : {PASS_DEPTH, PASS_ID}) {
     if (pass == PASS_ID && context_.device.capabilities().atomics_64) return;

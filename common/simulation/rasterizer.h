@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images of the spheres, coloured by their contacts, through compute kernels; through OpenGL's pipeline where the
+// Draws images of the spheres, coloured by their contacts, through compute kernels, or through OpenGL's pipeline if the
 // device has one.
 #pragma once
 
@@ -16,18 +16,18 @@ class Rasterizer {
 
   void upload();
 
-  // Launches an image and returns. Left out: what a list of tiles that was too short lacks.
+  // Launches an image and returns. Tiles that do not fit into their list are missing.
   void enqueue(const View& view, const DrawOptions& options);
-  void run(const View& view, const DrawOptions& options);  // the same, complete
+  void run(const View& view, const DrawOptions& options);  // draws the complete image
 
-  void set_classes(std::span<const uint> classes);  // of the spheres that were uploaded
+  void set_classes(std::span<const uint> classes);  // one for each uploaded sphere
 
-  // Of a complete image; BackendError where there is none.
+  // Results of a complete image; they throw BackendError if there is none.
   std::vector<uint> image();
   std::vector<float> depths();
   std::vector<uvec2> visible();
   bool show(uint texture);
-  bool through_pipeline() const { return view_.width != 0 && !draws_by_compute(); }  // the last image
+  bool through_pipeline() const { return view_.width != 0 && !draws_by_compute(); }  // for the last image
   DrawStatistics statistics();
 
  private:
@@ -51,17 +51,17 @@ class Rasterizer {
   CellSorter& sorter_;
   PairSearch& search_;
   ClusterCulling culling_;
-  View view_{};  // of the last image, as it was requested; a width of 0: there was none
+  View view_{};  // the last request; width 0: none
   DrawOptions options_;
   Frame frame_{};                                    // of the last image
-  bool complete_ = false;                            // all of it is drawn
+  bool complete_ = false;                            // it is drawn completely
   bool current_ = false;                             // it shows ...
-  uint64_t version_ = 0;                             // ... the spheres and contacts as they were then
+  uint64_t version_ = 0;                             // ... this version of spheres and contacts
   bool pixels_kept_ = false;                         // its visible spheres are still there
-  std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // of the two slots of pixels; the counts of SLOT_DRAWN are then
-                                                     // those of a new image
+  std::array<uint64_t, SLOT_TOTAL> pixels_clear_{};  // cleared pixels of both buffers; if not 0,
+                                                     // the counts of SLOT_DRAWN are clear, too
   uint64_t images_kept_ = 0;
-  bool classes_set_ = false;  // SLOT_COLOUR was to have them; other colours write over them
+  bool classes_set_ = false;  // SLOT_COLOUR should hold classes; other colours overwrite them
 };
 
 }  // namespace spherepair

@@ -130,7 +130,7 @@ void Simulation::step(const CollideOptions& options) {
 
 void Simulation::enqueue_step(const CollideOptions& options) {
   require_scene("enqueue_step");
-  // The pairs of contacts, or of paths, are a search of their own.
+  // Contacts and swept searches list near pairs by a search of their own.
   if (contacts_.on() || options.swept) return Backend::enqueue_step(options);
   search_.require_options(options);
   device_->begin_step(options.api);

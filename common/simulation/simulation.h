@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend of a GPU API: a device, and the components that launch its kernels.
+// The backend of a GPU API: a device and the components that launch its kernels.
 #pragma once
 
 #include "common/simulation/contacts.h"
@@ -11,7 +11,7 @@ namespace spherepair {
 
 class Simulation final : public Backend {
  public:
-  // open: OpenGL's pipeline, for a device without its own; none: it cannot be drawn with.
+  // open: opens OpenGL's pipeline, for a device without its own; none: only DrawMethod::compute draws.
   explicit Simulation(std::unique_ptr<Device> device, PipelineOpener open = {});
 
   const BackendInfo& info() const override { return device_->info(); }
@@ -72,8 +72,8 @@ class Simulation final : public Backend {
 
  private:
   void begin(const Scene& scene, const MotionState* saved);
-  void evaluate();        // positions of this step, where the motion leaves them for later
-  void complete_moves();  // of contacts, see Contacts::complete
+  void evaluate();        // computes positions of this step that the motion has deferred
+  void complete_moves();  // completes steps with contacts, see Contacts::complete
   bool has_pipeline() const { return device_->pipeline() || context_.other_pipeline; }
   void require_scene(const char* what) const;
   void require_method(const DrawOptions& options) const;

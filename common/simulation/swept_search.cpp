@@ -8,7 +8,7 @@
 namespace spherepair {
 
 void SweptSearch::list_of(const Scene& grown, const CollideOptions& options) {
-  context_.set_near({});  // so that list and spheres can grow in their place
+  context_.set_near({});  // so that list and spheres can grow in place
   near_.release();
   context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
   context_.buffers.write(SLOT_GROWN, grown.positions);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a swept search needs: the pairs whose paths within the next step are near each other (swept.h).
+// Lists the near pairs of a swept search: pairs whose paths within the next step are near each other (swept.h).
 #pragma once
 
 #include "common/simulation/motion/device_motion.h"
@@ -12,11 +12,11 @@ class SweptSearch {
   SweptSearch(DeviceContext& context, DeviceMotion& motion)
       : context_(context), motion_(motion), near_(context.device) {}
 
-  void upload() { near_.forget(); }  // what was searched for another scene
+  void upload() { near_.forget(); }  // frees the buffers of another scene's search
   void check_guards() { near_.check_guards(); }
 
-  // Leaves those pairs in SLOT_NEAR, DeviceContext::near_pairs of them, and in SLOT_GROWN the velocities with which the
-  // paths begin. Near pairs of others are lost, also where it throws.
+  // Lists these pairs in SLOT_NEAR, DeviceContext::near_pairs of them, and writes the initial velocities of the paths
+  // to SLOT_GROWN. Previous near pairs are lost, even if this throws.
   void list_paths(const CollideOptions& options);
 
  private:
@@ -24,7 +24,7 @@ class SweptSearch {
 
   DeviceContext& context_;
   DeviceMotion& motion_;
-  NearPairs near_;  // of spheres around the paths
+  NearPairs near_;  // pairs of the spheres around the paths
 };
 
 }  // namespace spherepair

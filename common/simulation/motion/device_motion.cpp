@@ -25,7 +25,7 @@ void DeviceMotion::upload(const Scene& scene, const MotionState* saved) {
   moved_ = saved != nullptr;
 }
 
-// Methods that keep less get buffers of a few bytes in the place of these.
+// Writes the method's state. Buffers that it does not need shrink to a few bytes.
 void DeviceMotion::write_state(const MotionState& state) {
   const bool fixed = motion_.precision == Precision::fixed;
   visit_parts(state, [&](uint slot, const char*, const auto& part) {
@@ -44,7 +44,7 @@ void DeviceMotion::write_state(const MotionState& state) {
   steps_ = state.steps;
 }
 
-// The wide state: of fixed, kept axis by axis.
+// Reads the wide state. `fixed` stores it axis by axis.
 std::vector<uint> DeviceMotion::read_wide() {
   if (motion_.precision != Precision::fixed)
     return context_.buffers.read<uint>(SLOT_WIDE, 6 * context_.n * real_words(motion_.precision));
@@ -60,7 +60,7 @@ std::vector<uint> DeviceMotion::read_wide() {
 }
 
 void DeviceMotion::launch(Kernel kernel, bool whole_state, bool clear_results) {
-  context_.params.motion.clear_results = clear_results;  // hardly ever changes: the search is launched with the same
+  context_.params.motion.clear_results = clear_results;  // hardly ever changes, so the search need not resend it
   Params params = context_.params;
   params.motion.steps_done = steps_;
   params.motion.whole_state = whole_state;

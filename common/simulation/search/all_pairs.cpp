@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint64_t pairs_per_dispatch = uint64_t(1) << 40;
 
-// One group's share: so many rows (spheres), each tested against so many columns.
+// One group's share: `rows` spheres, each tested against `columns` spheres.
 struct Share {
   Kernel kernel;
   uint64_t rows, columns;
@@ -33,27 +33,26 @@ Share share_of(const CollideOptions& options, uint64_t n, const std::string& bac
   }
 }
 
-// Columns of the first row group of collide_triangle and the last together, as many as of any two mirrored; or of the
-// only one.
+// Columns of row group k plus those of its mirror image: the same for every k. With one row group, its columns.
 uint64_t columns_of_line(uint64_t n, uint64_t row_groups, uint64_t rows) {
   return row_groups == 1 ? n : 2 * n - (row_groups - 1) * rows;
 }
 
 }  // namespace
 
-// Groups of collide_triangle should outnumber the multiprocessors many times, yet each should test enough columns to
-// pay for loading its rows. In software groups run one after another.
+// Returns the columns a group of collide_triangle tests. Groups should outnumber the multiprocessors many times, but
+// each should test enough columns to pay for loading its rows. In software groups run one after another.
 uint default_columns(uint64_t n, bool software) {
   return uint(std::clamp<uint64_t>(ceil_div(n, 2048) * 8, software ? 64 : 8, 4096));
 }
 
-// A driver may stop work that keeps the device for many seconds, so a large dispatch goes out in slices of about a
-// second, each waited for; each also stays within MAX_GROUPS.
+// Launches all pairs in slices. A driver may stop work that keeps the device for many seconds, so a slice takes about a
+// second and is waited for. Each slice also stays within MAX_GROUPS.
 void launch_all_pairs(DeviceContext& context, const CollideOptions& options, const Variant& variant) {
   if (options.method == Method::collide_tensor) return launch_tensor_pairs(context, variant);
   Params& params = context.params;
   const Share share = share_of(options, std::max<uint64_t>(context.n, 1), context.name());
-  const bool mirrored = share.kernel == Kernel::collide_triangle;  // two row groups make up one line of the launch
+  const bool mirrored = share.kernel == Kernel::collide_triangle;  // a line of the launch is two row groups
   const uint64_t row_groups = ceil_div(std::max<uint64_t>(context.n, 1), share.rows);
   const uint64_t groups = mirrored ? ceil_div(row_groups, 2) : row_groups;
   const uint64_t slice = std::clamp<uint64_t>(pairs_per_dispatch / (share.rows * share.columns), 1, MAX_GROUPS);

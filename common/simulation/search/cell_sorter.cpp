@@ -38,7 +38,7 @@ std::vector<uint> CellSorter::sphere_indices() {
   return indices;
 }
 
-// Some spheres from all over the scene; all where that is not many more.
+// Reads the positions of 2^16 spheres from all over the scene, or of all if there are no more.
 std::vector<vec4> CellSorter::sample_positions() {
   constexpr uint64_t size = 1 << 16;
   if (context_.n <= size) return context_.buffers.read<vec4>(SLOT_POSITION, context_.n);
@@ -57,11 +57,11 @@ bool CellSorter::replan_if_needed() {
   return true;
 }
 
-// Parameters of the cells, and room for the table.
+// Sets the parameters of the cells and makes room for the table.
 void CellSorter::plan_cells(const GridPlan& plan) {
   const bool leveled = plan.cells == Cells::dense && plan.top_level != 0;
   if (planned_ == plan.cells && leveled_ == leveled) return;
-  planned_.reset();  // until there is room, should that fail
+  planned_.reset();  // stays empty if there is no room
   built_of_.reset();
   cell_order_.reset();
   context_.params.grid = grid_params(plan);
@@ -82,8 +82,8 @@ void CellSorter::launch_bounds() {
                    folded(ceil_div(threads, BOUNDS_TILE))});
 }
 
-// Read back once after spheres have moved, and more and more rarely while the answer is no, since the host then waits
-// for the device.
+// Whether the spheres are in cell order already. The host waits for this answer, so it asks once after spheres have
+// moved, and ever more rarely while the answer is no.
 bool CellSorter::stands_in_cell_order(const GridOptions& options) {
   if (!options.keep_order) return false;
   const uint64_t moves = context_.moves - looked_at_;
@@ -106,7 +106,7 @@ void CellSorter::build(const CollideOptions& options, bool equal_radii, bool res
   const bool same_indices = order_ == Order::scene || index_in_w_ == equal_radii;
   const bool kept = built() && options.grid.keep_cells && same_indices;
   if (!kept) {
-    built_of_.reset();  // until they are, should that fail
+    built_of_.reset();  // stays empty if the sort fails
     order_ = stands_in_cell_order(options.grid) ? Order::scene : Order::cells;
     if (order_ == Order::cells) index_in_w_ = equal_radii;
   }
@@ -125,7 +125,7 @@ void CellSorter::build(const CollideOptions& options, bool equal_radii, bool res
 
 void CellSorter::build_for_light() {
   plan_cells(plans_.light);
-  built_of_.reset();  // until they are, should that fail
+  built_of_.reset();  // stays empty if the sort fails
   order_ = Order::cells;
   index_in_w_ = context_.equal_radii;
   ++context_.work().sorts;

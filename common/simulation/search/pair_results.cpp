@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a search leaves: it is completed, and its totals, counts and pairs are read.
+// Completes a search and reads its totals, counts and pairs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace spherepair {
 namespace {
 
 constexpr uint tally_groups = 1024;
-constexpr uint64_t most_near = uint64_t(1) << 31;  // threads that take turns count on in 32 bits
+constexpr uint64_t most_near = uint64_t(1) << 31;  // kernels over near pairs count in 32 bits
 constexpr uint64_t most_listed = std::numeric_limits<uint>::max();
 
 }  // namespace

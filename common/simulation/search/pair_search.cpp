@@ -14,11 +14,11 @@ namespace spherepair {
 namespace {
 
 constexpr uint resolve_groups = 64;
-// Fewer spheres fit the caches together, so groups of collide_grid stride through them; of more, each group takes so
-// few chunks in a row that neighbouring groups work on neighbouring cells.
+// Below this many spheres all of them fit into the caches, so groups of collide_grid stride through them. Above it each
+// group takes so few consecutive chunks that neighbouring groups work on neighbouring cells.
 constexpr uint64_t cached_spheres = 4'000'000;
-constexpr uint64_t most_groups = 4096;  // of few spheres or of pairs: enough to balance the load on a large device
-constexpr uint threads_per_chunk = 32;  // of a group, which takes that many chunks in a row of many spheres
+constexpr uint64_t most_groups = 4096;  // for few spheres or for pairs: balances the load on a large device
+constexpr uint threads_per_chunk = 32;  // for many spheres a group takes one chunk per so many threads, in a row
 
 }  // namespace
 
@@ -71,7 +71,7 @@ void PairSearch::enqueue(const CollideOptions& options, bool in_step) {
   launch(in_step);
 }
 
-// The scene's constants, and what the options say.
+// Sets the scene's constants and the options.
 void PairSearch::set_params() {
   SearchParams& params = context_.params.search;
   params = constants_[options_.exact];
@@ -82,7 +82,7 @@ void PairSearch::set_params() {
   params.deferred_capacity = uint(context_.buffers.bytes(SLOT_DEFERRED) / sizeof(uvec2));
 }
 
-// What every search begins with: parameters, the variant and counts of its work.
+// Prepares any search: parameters, the variant and counts of its work.
 void PairSearch::prepare_launch() {
   ++context_.version;
   context_.params.first_group = 0;
@@ -97,7 +97,7 @@ void PairSearch::prepare_launch() {
   results_ = Results::none;  // until all is launched
 }
 
-// The kernel clears what it counts before every search, and decides nothing that its filter leaves.
+// Launches steps as one persistent kernel. It clears counts before every search, and leaves undecided pairs undecided.
 void PairSearch::enqueue_steps(uint steps) {
   options_ = {.method = Method::collide_triangle};
   prepare_launch();
@@ -144,7 +144,7 @@ void PairSearch::launch(bool in_step) {
 void PairSearch::launch_grid(bool results_clear) {
   Params& params = context_.params;
   const bool few = context_.n < cached_spheres;
-  // Before the first launch: parameters that change within a step are sent again.
+  // Set before the first launch, since parameters that change within a step are sent again.
   params.search.chunk = options_.block * (few ? 1 : options_.block / threads_per_chunk);
   sorter_.build(options_, variant_.equal_radii, results_clear);
   variant_.indices = sorter_.indices(sorter_.order());
@@ -161,14 +161,14 @@ void PairSearch::launch_grid(bool results_clear) {
   context_.launch(launching);
 }
 
-// One thread a near pair, which decides it.
+// Decides the near pairs, one thread each.
 void PairSearch::launch_swept() {
   const uint64_t groups = std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups);
   context_.launch({Kernel::collide_swept, SERVICE_BLOCK, {.listed = variant_.listed}, folded(groups)});
 }
 
-// Decides what was deferred, of which there is hardly ever anything: so a complete search launches it only where a pair
-// is left; from then on it is part of every step of that kind of search.
+// Decides the deferred pairs. There hardly ever are any, so a complete search launches this only if a pair is left.
+// Then it is part of every step of that kind of search, until a complete search leaves none.
 void PairSearch::resolve_undecided() {
   if (resolved_) return;
   context_.launch({Kernel::resolve_undecided, SERVICE_BLOCK, variant_, {resolve_groups, 1, 1}, order_});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The totals of a search, which kernels spread over the rows of SLOT_SUMMARY.
+// Adds up the totals of a search, which kernels spread over the rows of SLOT_SUMMARY.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-// deferred_word: SUM_* in which the pairs are counted that the filter left undecided.
+// Returns the totals. deferred_word: the SUM_* that counts the pairs which the filter left undecided.
 Collisions sum_of(const std::vector<uint>& summary, uint deferred_word);
 
 }  // namespace spherepair

@@ -9,8 +9,8 @@ namespace spherepair {
 namespace {
 
 static_assert(SCAN_TILE == SCAN_BLOCK * SCAN_VECTORS * 4);
-// On a GPU, grid_sort gets at least so many groups where there are as many cells: with fewer, most of the GPU idles. In
-// software every group costs time. The automatic choice then has no minimum, and sorts fewer than
+// Minimum of grid_sort's groups on a GPU, if there are as many cells: with fewer, most of the GPU idles. In software
+// every group costs time, so the automatic choice has no minimum there. It sorts fewer than
 // buckets_pay_from_in_software spheres by counting.
 constexpr uint least_buckets = 64;
 constexpr uint64_t buckets_pay_from_in_software = 16384;  // spheres
@@ -34,7 +34,7 @@ void SphereSort::scan(uint table) {
         {kernel, SCAN_BLOCK, {}, folded(context_.params.sort.scan_tiles), Order::scene, Order::cells, table});
 }
 
-// The table or the buckets, and the totals.
+// Clears the table or the buckets, and the totals.
 void SphereSort::clear(uint64_t bucket_words) {
   const uint64_t table_words = bucket_words ? 0 : slots_ + 2;
   if (options_.api.library_clear.value_or(false)) {
@@ -45,7 +45,7 @@ void SphereSort::clear(uint64_t bucket_words) {
   launch(Kernel::grid_clear, SERVICE_BLOCK, ceil_div(threads, SERVICE_BLOCK));
 }
 
-// A histogram of the cells, its prefix sums, a scatter: the least work, in the most launches.
+// Sorts by a histogram of the cells, its prefix sums and a scatter: least work, most launches.
 void SphereSort::by_counting() {
   SortParams& sort = context_.params.sort;
   const uint64_t groups = ceil_div(context_.n, SERVICE_BLOCK * SPHERES_PER_SORTER);
@@ -67,7 +67,7 @@ void SphereSort::split(uint shift, uint parent_shift, uint first_bucket, Order f
   sort.index_given = from != Order::scene;
   context_.launch(
       {.kernel = Kernel::split_count, .block = SPLIT_BLOCK, .variant = cells_, .groups = tiles, .order = from});
-  if (first_bucket == 0) {  // at most BUCKETS_AT_MOST
+  if (first_bucket == 0) {  // there are at most BUCKETS_AT_MOST buckets
     context_.launch({Kernel::split_scan, BUCKETS_AT_MOST, {}, {1, 1, 1}});
   } else {
     scan(SLOT_BUCKET);
@@ -80,7 +80,7 @@ void SphereSort::split(uint shift, uint parent_shift, uint first_bucket, Order f
                    .target = to});
 }
 
-// One group tells all buckets apart: each tile of spheres is split by itself, and grid_sort collects from all tiles.
+// Splits each tile of spheres by itself; grid_sort then collects from all tiles. One group must tell all buckets apart.
 void SphereSort::split_tiles(uint shift, uint buckets) {
   const uint64_t tiles = ceil_div(context_.n, SPLIT_TILE);
   context_.params.sort.bucket_shift = shift;
@@ -101,8 +101,8 @@ void SphereSort::split_twice(uint shift, uint buckets, uint parent_shift) {
   split(shift, parent_shift, SCAN_TILE, Order::cells, Order::buckets);
 }
 
-// Split into ranges of cells, in two passes when they are many, until each fits a group's shared memory; writes are
-// then contiguous.
+// Splits the spheres into ranges of cells, in two passes if there are many ranges, until each fits into a group's
+// shared memory. Writes are then contiguous.
 void SphereSort::by_buckets() {
   const bool few = context_.software() && options_.grid.sort == Sort::automatic;
   const auto [shift, buckets, parent_shift] = plan_buckets(context_.n, slots_, few ? 1 : least_buckets);

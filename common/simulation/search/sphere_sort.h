@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spheres into the order of their cells: by buckets, by counting, or by a library. Each also writes where the cells
-// begin, and clears counts and totals.
+// Sorts spheres into cell order: by buckets, by counting, or by a library. Each way also writes where the cells begin,
+// and clears counts and totals.
 #pragma once
 
 #include "common/device/context.h"
@@ -9,7 +9,7 @@ namespace spherepair {
 
 class SphereSort {
  public:
-  // index_in_w: sphere indices travel in place of the radii, which are all equal.
+  // index_in_w: sphere indices take the place of the radii, which are all equal.
   SphereSort(DeviceContext& context, const CollideOptions& options, bool index_in_w);
 
   void run();
@@ -28,7 +28,7 @@ class SphereSort {
   DeviceContext& context_;
   const CollideOptions& options_;
   bool index_in_w_;
-  uint slots_;  // of the cells
+  uint slots_;  // of the table of cells
   Variant cells_;
 };
 

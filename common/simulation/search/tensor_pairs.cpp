@@ -7,12 +7,12 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t tiles_per_dispatch = (uint64_t(1) << 40) / (TENSOR_ROWS * TENSOR_COLUMNS);  // of pairs: 2^40
+constexpr uint64_t tiles_per_dispatch = (uint64_t(1) << 40) / (TENSOR_ROWS * TENSOR_COLUMNS);  // 2^40 pairs
 
 }  // namespace
 
-// Each group takes an equal number of consecutive tiles: all run at once and end together. More tiles than a driver may
-// let run at once go out in slices, each waited for.
+// Launches groups that all run at once and end together: each takes an equal number of consecutive tiles. Work that a
+// driver may stop goes out in slices, each waited for.
 void launch_tensor_pairs(DeviceContext& context, const Variant& variant) {
   Params& params = context.params;
   const uint64_t padded = ceil_div(context.n, TENSOR_ROWS) * TENSOR_ROWS;
@@ -22,7 +22,7 @@ void launch_tensor_pairs(DeviceContext& context, const Variant& variant) {
   const uint block = context.device.capabilities().tensor_block;
   const uint64_t share = std::max<uint64_t>(ceil_div(std::min(tiles, tiles_per_dispatch), at_once), 1);
   const uint64_t groups = ceil_div(tiles, share);
-  params.search.tiles_per_group = uint(share);  // before the first launch: parameters that change are sent again
+  params.search.tiles_per_group = uint(share);  // set before the first launch: parameters that change are sent again
   context.launch({Kernel::tensor_bounds, SERVICE_BLOCK, {}, {TENSOR_BOUNDS_GROUPS, 1, 1}});
   context.launch(
       {Kernel::tensor_forms, SERVICE_BLOCK, {}, folded(padded / SERVICE_BLOCK), Order::scene, Order::buckets});
