@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a thread does with a candidate pair: decide it, record it, defer it; and the totals of its group.
+// Decides, records or defers a candidate pair, and sums up the totals of a group.
 #pragma once
 
 #include "common/shared/hash.h"
@@ -22,7 +22,7 @@ struct Collider {
   uint64_t mix_a = 0ul;
   uint64_t mix_b = 0ul;
 
-  // 64-bit sums by two 32-bit atomics: exactly one addition sees each wrap of the low word.
+  // Adds to a 64-bit sum by two 32-bit atomics: exactly one addition sees each wrap of the low word.
   __device__ void add_to_total(uint word, uint64_t value) {
     uint at = (threadIdx.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
     uint low = uint(value & 0xFFFFFFFFul);
@@ -57,10 +57,10 @@ struct Collider {
     if (sum != 0ul) add_to_summary(row + word, sum);
   }
 
-  // Contacts of the sphere at index i. The atomic's result is unused, so that no thread waits for it.
+  // Adds contacts to the sphere at index i. The atomic's result is unused, so that no thread waits for it.
   __device__ void add_contact(uint i, uint contacts) { atomicAdd(&buf.count[i], contacts); }
 
-  // A colliding pair, by sphere index, in either order.
+  // Records a colliding pair, given by its sphere indices in either order.
   __device__ void record(uint a, uint b) {
     uint i = min(a, b);
     uint j = max(a, b);
@@ -91,7 +91,7 @@ struct Collider {
     return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset);
   }
 
-  // For kernels that test every ordered pair: returns the contacts of sphere i, and i<j records the pair.
+  // For kernels that test every ordered pair: returns the contacts of sphere i, and records the pair if i<j.
   __device__ uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
     if (i == j || i >= p.n) return 0u;
     uint verdict = filter_spheres(a, b);
@@ -107,8 +107,9 @@ struct Collider {
   }
   // until here
 
-  // For kernels that test every unordered pair once: the filter's verdict on the spheres at indices i and j. The caller
-  // counts the contacts and handles an undecided pair. Most candidates collide, so sphere indices are loaded early.
+  // For kernels that test every unordered pair once: returns the filter's verdict on the spheres at indices i and j.
+  // The caller counts the contacts and handles an undecided pair. Most candidates collide, so sphere indices are loaded
+  // early.
   __device__ uint test_pair(uint i, vec4 a, uint j, vec4 b) {
     uint first = sphere_index(a, i);
     uint second = sphere_index(b, j);

@@ -15,7 +15,7 @@ namespace spherepair {
 constexpr uint QUEUE_ROOM = 3u * COOPERATING;
 constexpr uint UNDECIDED_ROOM = 16u;
 __shared__ uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves undecided
-__shared__ uint undecided_pairs;             // the number of all of them
+__shared__ uint undecided_pairs;             // how many there are in all
 
 // The k-th sphere of a neighbourhood is sphere k + shift in the first row with k < bound.
 struct Row {
@@ -68,7 +68,7 @@ __device__ bool is_candidate(const Collider<EQUAL_RADII, LISTED, true>& collider
   return collider.in_reach(mine, collider.buf.position[neighbour_index(rows, k)]);
 }
 
-// The candidates among 32 spheres of the neighbourhood, as a bit mask.
+// Returns the candidates among 32 spheres of the neighbourhood, as a bit mask.
 template <bool EQUAL_RADII, bool LISTED>
 __device__ uint mark_candidates(const Collider<EQUAL_RADII, LISTED, true>& collider, vec4 mine, const Rows& rows,
                                 uint first) {
@@ -93,7 +93,7 @@ __device__ void queue_undecided(Collider<EQUAL_RADII, LISTED, true>& collider, u
   }
 }
 
-// One thread per queued undecided pair.
+// Decides the queued undecided pairs, one thread a pair.
 template <bool EQUAL_RADII, bool LISTED>
 __device__ void decide_undecided(const Params& p, const KernelBuffers& buf,
                                  Collider<EQUAL_RADII, LISTED, true>& collider) {
@@ -117,7 +117,7 @@ __device__ void decide_undecided(const Params& p, const KernelBuffers& buf,
   collider.add_contact(j, 1u);
 }
 
-// The group's next spheres: the rest of its chunk, then those that lie as far on as all groups take.
+// Returns where the group's next spheres begin: in the rest of its chunk, else after one chunk of every other group.
 template <uint BLOCK>
 __device__ uint next_chunk(const Params& p, uint first) {
   uint behind = first + BLOCK;

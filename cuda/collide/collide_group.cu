@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it is tested against the spheres of its own group, in shared memory (the paper's code 4).
-// Pairs across groups are not found.
+// One thread per sphere: tests it against the spheres of its own group, in shared memory (the paper's code 4). Pairs
+// across groups are not found.
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere in the order of hashed cells: it is tested against the later half of its neighbourhood on its
-// own level and against its whole neighbourhood on every coarser level. Rows of cells may share slots, so the cell of a
+// One thread per sphere in the order of hashed cells: tests it against the later half of its neighbourhood on its own
+// level and against its whole neighbourhood on every coarser level. Rows of cells may share slots, so the cell of a
 // candidate is compared too. Candidate pairs are queued and decided by the whole group.
 #include "cuda/collide/collide.cuh"
 #include "cuda/grid/grid.cuh"

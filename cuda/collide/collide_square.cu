@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A square of groups, one thread per sphere and group of others: it is tested against that group in a single loop (the
-// paper's two-dimensional arrangement).
+// One thread per sphere and group of other spheres: tests the sphere against that group in a single loop (the paper's
+// two-dimensional arrangement).
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {

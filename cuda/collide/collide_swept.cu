@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per near pair, in turns until none is left: whether the two spheres touch at any time within the next
-// step. Near pairs are those of spheres that hold the others' paths in the step, in any order; in the place of the
-// grown spheres stand the velocities with which the paths begin.
+// One thread per near pair, looping until none is left: decides whether the two spheres touch at any time within the
+// next step. Near pairs are the colliding pairs of spheres around the paths in the step, in any order. SLOT_GROWN holds
+// the velocities with which the paths begin.
 #include "common/shared/swept.h"
 #include "cuda/collide/collide.cuh"
 

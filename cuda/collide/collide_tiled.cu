@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it is tested against all others, which pass through shared memory a tile at a time (the
-// paper's code 5).
+// One thread per sphere: tests it against all others, which pass through shared memory a tile at a time (the paper's
+// code 5).
 #include "cuda/collide/collide.cuh"
 
 namespace spherepair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
-// against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
+// Tests each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests
+// them against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
 // Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
 // per pair. A row group near the end has few columns, one near the beginning many. Groups of one y index share a row
 // group and its mirror image, so that few are idle.
@@ -10,7 +10,7 @@ namespace spherepair {
 
 constexpr uint PAIRS_PER_ENTRY = SPHERES_PER_THREAD * COLUMNS_AT_ONCE;
 
-// Pair number `pair` of a queue entry, which stands for the rows of one thread and COLUMNS_AT_ONCE columns from j on.
+// Tests pair number `pair` of a queue entry, which holds the rows of one thread and COLUMNS_AT_ONCE columns from j on.
 template <int BLOCK, bool EQUAL_RADII, bool LISTED>
 __device__ void test_queued_pair(Collider<EQUAL_RADII, LISTED>& collider, uint first_row, uint pair, uint lane, uint j,
                                  uint end) {
@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   __shared__ vec4 tile[BLOCK];
   __shared__ float tile_radius[EQUAL_RADII ? 1 : BLOCK];
   __shared__ uint near_queue[NEAR_PER_THREAD * BLOCK];
-  __shared__ uint near_length[2];  // of this tile and of the next
+  __shared__ uint near_length[2];  // queue lengths of this tile and of the next
   Collider<EQUAL_RADII, LISTED> collider(p, buf);
   wait_first(p);  // CUDA only: of small steps, which get ready early
   uint lane = threadIdx.x;
@@ -54,7 +54,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
   uint parts = (p.n - first_row + p.search.columns_per_group - 1u) / p.search.columns_per_group;
   if (part >= parts) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
-    if (mirrored == first_row) return;  // the line in the middle
+    if (mirrored == first_row) return;  // the middle line
     first_row = mirrored;
     part -= parts;
   }
@@ -83,7 +83,7 @@ __global__ void __launch_bounds__(BLOCK) collide_triangle(Params p, KernelBuffer
     uint others = min(uint(BLOCK), end - start);
     for (uint c = 0u; c < others; c += COLUMNS_MARKED) {
       uint marked = 0u;
-      uint bit = 1u;  // of COLUMNS_AT_ONCE columns
+      uint bit = 1u;  // for COLUMNS_AT_ONCE columns
       uint marked_end = min(others, c + COLUMNS_MARKED);
       for (uint first = c; first < marked_end; first += 2u * COLUMNS_AT_ONCE) {
         for (uint pass = 0u; pass < 2u; ++pass) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per pair of spheres: all stages of the predicate; reports the verdict and the stage that decided.
+// One thread per pair of spheres: runs all stages of the predicate; reports the verdict and the stage that decided.
 #include "common/shared/exact.h"
 #include "cuda/kernels.cuh"
 

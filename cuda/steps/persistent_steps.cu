@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whole steps in one launch: in each, one thread per sphere moves it by `paper` and clears the last results, then the
-// groups share the pairs of BLOCK rows and p.search.columns_per_group columns, a thread a row. All groups run at once
-// and wait for each other behind both. What the filter leaves undecided in a step is only kept of the last.
+// Runs whole steps in one launch: in each, one thread per sphere moves it by `paper` and clears the last results, then
+// the groups share the pairs of BLOCK rows and p.search.columns_per_group columns, a thread a row. All groups run at
+// once and wait for each other after either part. Undecided pairs are kept of the last step only.
 //
 // CUDA only: OpenGL has no barrier of all groups of a dispatch
 #include <cooperative_groups.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box of all centres, with the greatest radius in high.w, from the boxes of parts.
+// Joins the boxes of parts into the box of all centres, with the greatest radius in high.w.
 #pragma once
 
 #include "cuda/kernels.cuh"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of matrix
-// A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
-// negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of which each group
-// takes p.search.tiles_per_group.
+// Tests each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of
+// matrix A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of
+// products is negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of
+// which each group takes p.search.tiles_per_group.
 #include "cuda/collide/collide.cuh"
 #include "cuda/tensor/product.cuh"
 
@@ -11,12 +11,12 @@ namespace spherepair {
 // CUDA only from here: four warps compute a product, and each thread knows the rows and columns of its sums. It joins
 // the signs of 32 sums and queues these pairs if one is negative. The warp decides queued pairs, a thread for 32 pairs.
 constexpr uint WARPS = TENSOR_BLOCK / 32u;
-constexpr uint PRODUCTS = TENSOR_ROWS / (WARPS / 4u) / PRODUCT_ROWS;  // of each four warps with a tile
-constexpr uint ENTRY_COLUMNS = 64u;                                   // of a queue entry: 2 rows, 16 of these columns
-constexpr uint ENTRIES = TENSOR_COLUMNS / ENTRY_COLUMNS;              // that a thread has of one product
-constexpr uint QUEUE = 32u + 32u * ENTRIES;                           // it is emptied once it holds 32
+constexpr uint PRODUCTS = TENSOR_ROWS / (WARPS / 4u) / PRODUCT_ROWS;  // products of four warps with a tile
+constexpr uint ENTRY_COLUMNS = 64u;  // columns a queue entry spans: it has 2 rows, 16 of these columns
+constexpr uint ENTRIES = TENSOR_COLUMNS / ENTRY_COLUMNS;  // entries that a thread has of one product
+constexpr uint QUEUE = 32u + 32u * ENTRIES;               // the queue is emptied once it holds 32
 
-// The candidate pairs of one warp.
+// Queues the candidate pairs of one warp.
 struct NearQueue {
   uint* entries;
   uint first_row = 0u;  // of the warp
@@ -28,7 +28,8 @@ struct NearQueue {
     length += __popc(threads);
   }
 
-  // First all pairs of an entry by the float32 filter, then what is left: loads and the rare rest go out together.
+  // Tests all pairs of an entry by the float32 filter first, then decides the few that remain: so all loads go out
+  // together.
   template <bool EQUAL_RADII, bool LISTED>
   __device__ void resolve(Collider<EQUAL_RADII, LISTED>& collider, uint lane) {
     __syncwarp();
@@ -58,7 +59,7 @@ struct NearQueue {
   }
 };
 
-// Queues what is near of one product.
+// Queues the pairs of one product that may be near.
 __device__ inline void queue_near(NearQueue& queue, const uint (&sum)[WORDS], uint tile, uint product, uint lane) {
   uint signs[ENTRIES] = {};
   uint any = 0u;

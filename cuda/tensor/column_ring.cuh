@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The columns of collide_tensor: tiles of forms that pass through a ring in shared memory, copied by the bulk copy
-// engine. Every warp of the group reads each tile; warp 0 also refills the ring.
+// The columns of collide_tensor: tiles of forms that the bulk copy engine copies into a ring in shared memory. Every
+// warp of the group reads each tile; warp 0 also refills the ring.
 //
 // CUDA only: GLSL has no bulk copies
 #pragma once
@@ -12,7 +12,7 @@ namespace spherepair {
 
 __device__ inline uint shared_address(const void* data) { return uint(__cvta_generic_to_shared(data)); }
 
-// A barrier in shared memory that completes a phase after so many arrivals, and the bytes that one of them announced.
+// A barrier in shared memory. A phase completes after so many arrivals and the bytes that one of them announced.
 struct PhaseBarrier {
   uint64_t state;
 
@@ -40,9 +40,9 @@ struct PhaseBarrier {
   }
 };
 
-// The tiles of a group, one after the other: those of a block of rows begin at the block's first row.
+// Walks through a group's tiles in order. Each block of rows begins with the tile of its first row.
 struct TilePosition {
-  uint tiles;  // of all columns
+  uint tiles;  // tiles of all columns
   uint block = 0u, tile = 0u;
 
   __device__ TilePosition(uint n, uint64_t skipped) : tiles((n + TENSOR_COLUMNS - 1u) / TENSOR_COLUMNS) {
@@ -53,7 +53,7 @@ struct TilePosition {
     tile = first() + uint(skipped);
   }
   __device__ uint first() const { return block * (TENSOR_ROWS / TENSOR_COLUMNS); }
-  __device__ uint left() const { return tiles - tile; }  // in this block of rows
+  __device__ uint left() const { return tiles - tile; }  // tiles left in this block of rows
   __device__ void advance(uint count) {
     tile += count;
     if (tile < tiles) return;
@@ -64,7 +64,7 @@ struct TilePosition {
 
 constexpr uint RING_STAGES = 4u;
 constexpr uint TILE_BYTES = TENSOR_COLUMNS * sizeof(TensorForm);
-constexpr uint STAGES_BEHIND = RING_STAGES / 2u;  // a warp may be so many tiles behind warp 0 before that waits
+constexpr uint STAGES_BEHIND = RING_STAGES / 2u;  // tiles that a warp may be behind warp 0 before warp 0 waits
 
 struct RingMemory {
   alignas(128) char tiles[RING_STAGES][TILE_BYTES];
@@ -74,8 +74,8 @@ struct RingMemory {
 struct ColumnRing {
   RingMemory& memory;
   const char* forms;
-  TilePosition next;  // to be copied
-  uint count;         // of all the group's tiles
+  TilePosition next;  // the next tile to copy
+  uint count;         // number of the group's tiles
 
   __device__ void fill(uint turn) {
     memory.filled[turn % RING_STAGES].copy(memory.tiles[turn % RING_STAGES], forms + size_t(next.tile) * TILE_BYTES,
@@ -94,7 +94,7 @@ struct ColumnRing {
     }
     __syncthreads();
   }
-  // At the group's tile number `turn`: takes back the stage of a tile that lies behind.
+  // At the group's tile number `turn`: refills the stage of an earlier tile, once all warps have released it.
   __device__ void refill(uint turn) {
     if (threadIdx.x >= 32u) return;
     uint ahead = turn - STAGES_BEHIND + RING_STAGES;

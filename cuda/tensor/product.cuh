@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One product of tensor cores by four warps: 64 rows, whose forms the threads hold, with the 256 columns of a tile in
-// shared memory.
+// Computes one product of tensor cores by four warps: 64 rows, whose forms the threads hold, with the 256 columns of a
+// tile in shared memory.
 //
 // CUDA only: in GLSL a subgroup multiplies matrices
 #pragma once
@@ -14,13 +14,13 @@ namespace spherepair {
 constexpr uint PRODUCT_ROWS = 64u, WORDS = 64u;
 constexpr uint SIGNS = 0x80008000u;
 
-// Forms stand in shared memory without a swizzle: 128 bytes from the first eight halves to the others, 256 from eight
-// spheres to the next.
+// Describes the forms in shared memory, without a swizzle: 128 bytes from the first eight halves to the others, 256
+// from eight spheres to the next.
 __device__ inline uint64_t matrix_descriptor(const void* tile) {
   return uint64_t(shared_address(tile) >> 4) | uint64_t(128u >> 4) << 16 | uint64_t(256u >> 4) << 32;
 }
 
-// The fragment of matrix A that holds 16 rows, from `row` on, of the forms as tensor_forms wrote them.
+// Loads the fragment of matrix A for 16 rows, from `row` on, from the forms that tensor_forms wrote.
 __device__ inline void load_rows(uint (&fragment)[4], const uint* forms, uint row, uint lane) {
   uint t = lane % 4u, low = tensor_row_source(t), high = tensor_row_source(t + 4u) - 4u;
   const uint* eight = forms + row / 8u * 64u + lane / 4u * 4u;
@@ -30,7 +30,7 @@ __device__ inline void load_rows(uint (&fragment)[4], const uint* forms, uint ro
   fragment[3] = eight[96u + high] ^ tensor_row_signs(t + 4u);
 }
 
-// Issued and waited for: other warps keep the tensor cores busy in between.
+// Issues the product and waits for it: other warps keep the tensor cores busy meanwhile.
 __device__ inline void multiply(uint (&sum)[WORDS], const uint (&rows)[4], uint64_t columns) {
   asm volatile(
       "{ .reg .pred accumulate; setp.ne.b32 accumulate, 0, 0;\n"

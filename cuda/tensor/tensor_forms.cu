@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere writes its form. Threads behind the last sphere fill its block of rows with forms that are near
-// nothing.
+// One thread per sphere writes its form. Threads past the last sphere fill its block of rows with forms that are near
+// no other.
 #include "common/shared/tensor_form.h"
 #include "cuda/tensor/box.cuh"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a thread does with a candidate pair: decide it, record it, defer it; and the totals of its group.
+// Decides, records or defers a candidate pair, and sums up the totals of a group.
 #include "shaders/kernels.glsl"
 #include "common/shared/hash.h"
 #include "common/shared/predicate.h"
@@ -10,7 +10,7 @@ uint pairs_found = 0u;
 uint64_t mix_a = 0ul;
 uint64_t mix_b = 0ul;
 
-// 64-bit sums by two 32-bit atomics: exactly one addition sees each wrap of the low word.
+// Adds to a 64-bit sum by two 32-bit atomics: exactly one addition sees each wrap of the low word.
 void add_to_total(uint word, uint64_t value) {
   uint at = (gl_LocalInvocationID.x % TOTAL_ROWS) * TOTAL_STRIDE + word;
   uint low = uint(value & 0xFFFFFFFFul);
@@ -45,10 +45,10 @@ void finish_totals() {
   if (sum != 0ul) add_to_summary(row + word, sum);
 }
 
-// Contacts of the sphere at index i. The atomic's result is unused, so that no thread waits for it.
+// Adds contacts to the sphere at index i. The atomic's result is unused, so that no thread waits for it.
 void add_contact(uint i, uint contacts) { atomicAdd(count[i], contacts); }
 
-// A colliding pair, by sphere index, in either order.
+// Records a colliding pair, given by its sphere indices in either order.
 void record(uint a, uint b) {
   uint i = min(a, b);
   uint j = max(a, b);
@@ -78,7 +78,7 @@ uint filter_spheres(vec4 a, vec4 b) {
   return filter_pair(a, b, p.search.filter_scale, p.search.filter_offset);
 }
 
-// For kernels that test every ordered pair: returns the contacts of sphere i, and i<j records the pair.
+// For kernels that test every ordered pair: returns the contacts of sphere i, and records the pair if i<j.
 uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
   if (i == j || i >= p.n) return 0u;
   uint verdict = filter_spheres(a, b);
@@ -87,8 +87,9 @@ uint test_ordered_pair(uint i, vec4 a, uint j, vec4 b) {
   return verdict == COLLIDE ? 1u : 0u;
 }
 
-// For kernels that test every unordered pair once: the filter's verdict on the spheres at indices i and j. The caller
-// counts the contacts and handles an undecided pair. Most candidates collide, so sphere indices are loaded early.
+// For kernels that test every unordered pair once: returns the filter's verdict on the spheres at indices i and j. The
+// caller counts the contacts and handles an undecided pair. Most candidates collide, so sphere indices are loaded
+// early.
 uint test_pair(uint i, vec4 a, uint j, vec4 b) {
   uint first = sphere_index(a, i);
   uint second = sphere_index(b, j);

@@ -19,7 +19,7 @@ shared uvec2 queue[QUEUES * QUEUE_ROOM];  // candidate pairs of each set of coop
 shared uint queued[QUEUES];
 shared uint unfinished[QUEUES];
 shared uvec2 undecided[UNDECIDED_ROOM];  // the group's first pairs that the filter leaves undecided
-shared uint undecided_pairs;             // the number of all of them
+shared uint undecided_pairs;             // how many there are in all
 
 // The k-th sphere of a neighbourhood is sphere k + shift in the first row with k < bound.
 struct Row {
@@ -67,7 +67,7 @@ uint neighbour_index(Rows rows, uint k) {
 // Whether the k-th sphere of the neighbourhood is a candidate. Past the last sphere a guard may be read.
 bool is_candidate(vec4 mine, Rows rows, uint k) { return in_reach(mine, position[neighbour_index(rows, k)]); }
 
-// The candidates among 32 spheres of the neighbourhood, as a bit mask.
+// Returns the candidates among 32 spheres of the neighbourhood, as a bit mask.
 uint mark_candidates(vec4 mine, Rows rows, uint first) {
   uint marked = 0u;
   uint end = min(rows.ahead_above.bound, first + 32u);
@@ -88,7 +88,7 @@ void queue_undecided(uint i, uint j) {
   }
 }
 
-// One thread per queued undecided pair.
+// Decides the queued undecided pairs, one thread a pair.
 void decide_undecided() {
   uint row = (group_index() % SUMMARY_SLOTS) * SUMMARY_WORDS;
   uint lane = gl_LocalInvocationID.x;
@@ -110,7 +110,7 @@ void decide_undecided() {
   add_contact(j, 1u);
 }
 
-// The group's next spheres: the rest of its chunk, then those that lie as far on as all groups take.
+// Returns where the group's next spheres begin: in the rest of its chunk, else after one chunk of every other group.
 uint next_chunk(uint first) {
   uint behind = first + BLOCK;
   return (behind & (p.search.chunk - 1u)) != 0u ? behind : behind + (group_count() - 1u) * p.search.chunk;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: it is tested against the spheres of its own group, in shared memory (the paper's code 4).
-// Pairs across groups are not found.
+// One thread per sphere: tests it against the spheres of its own group, in shared memory (the paper's code 4). Pairs
+// across groups are not found.
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// A square of groups, one thread per sphere and group of others: it is tested against that group in a single loop (the
-// paper's two-dimensional arrangement).
+// One thread per sphere and group of other spheres: tests the sphere against that group in a single loop (the paper's
+// two-dimensional arrangement).
 #include "shaders/collide/collide.glsl"
 
 layout(local_size_x = BLOCK) in;

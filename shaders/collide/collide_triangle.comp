@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests them
-// against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
+// Tests each unordered pair once: a group keeps SPHERES_PER_THREAD spheres a thread in registers, its rows, and tests
+// them against p.search.columns_per_group later spheres, its columns, which pass through shared memory in Gram form.
 // Candidates are marked in a bit mask, then queued; after each tile the whole group decides the queued pairs, a thread
 // per pair. A row group near the end has few columns, one near the beginning many. Groups of one y index share a row
 // group and its mirror image, so that few are idle.
@@ -16,9 +16,9 @@ const uint COLUMNS_MARKED = BLOCK < 32 * COLUMNS_AT_ONCE ? BLOCK : 32 * COLUMNS_
 shared vec4 tile[BLOCK];
 shared float tile_radius[EQUAL_RADII ? 1 : BLOCK];
 shared uint near_queue[NEAR_PER_THREAD * BLOCK];
-shared uint near_length[2];  // of this tile and of the next
+shared uint near_length[2];  // queue lengths of this tile and of the next
 
-// Pair number `pair` of a queue entry, which stands for the rows of one thread and COLUMNS_AT_ONCE columns from j on.
+// Tests pair number `pair` of a queue entry, which holds the rows of one thread and COLUMNS_AT_ONCE columns from j on.
 void test_queued_pair(uint first_row, uint pair, uint lane, uint j, uint end) {
   uint i = first_row + (pair % SPHERES_PER_THREAD) * BLOCK + lane;
   j += pair / SPHERES_PER_THREAD;
@@ -32,7 +32,7 @@ void main() {
   uint parts = (p.n - first_row + p.search.columns_per_group - 1u) / p.search.columns_per_group;
   if (part >= parts) {
     uint mirrored = (p.n - 1u) / ROWS * ROWS - first_row;
-    if (mirrored == first_row) return;  // the line in the middle
+    if (mirrored == first_row) return;  // the middle line
     first_row = mirrored;
     part -= parts;
   }
@@ -61,7 +61,7 @@ void main() {
     uint others = min(uint(BLOCK), end - start);
     for (uint c = 0u; c < others; c += COLUMNS_MARKED) {
       uint marked = 0u;
-      uint bit = 1u;  // of COLUMNS_AT_ONCE columns
+      uint bit = 1u;  // for COLUMNS_AT_ONCE columns
       uint marked_end = min(others, c + COLUMNS_MARKED);
       for (uint first = c; first < marked_end; first += 2u * COLUMNS_AT_ONCE) {
         for (uint pass = 0u; pass < 2u; ++pass) {

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pair of spheres: all stages of the predicate; reports the verdict and the stage that decided.
+// One thread per pair of spheres: runs all stages of the predicate; reports the verdict and the stage that decided.
 #include "shaders/kernels.glsl"
 #include "common/shared/exact.h"
 

@@ -1,10 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of matrix
-// A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of products is
-// negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of which each group
-// takes p.search.tiles_per_group. Only Vulkan runs it: OpenGL has no
-// cooperative matrices.
+// Tests each unordered pair once, through tensor cores: a group holds TENSOR_ROWS spheres, its rows, as fragments of
+// matrix A, and tests them against later spheres, its columns, which pass through shared memory in tiles. A sum of
+// products is negative where a pair may collide (tensor_form.h). The tiles of all blocks of rows form one line, of
+// which each group takes p.search.tiles_per_group. Only Vulkan runs it: OpenGL has no cooperative matrices.
 #extension GL_NV_cooperative_matrix : require
 #extension GL_KHR_memory_scope_semantics : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -17,10 +16,10 @@ layout(std430, binding = SLOT_SORTED) restrict readonly buffer FormBuffer { uvec
 layout(local_size_x = BLOCK) in;
 // GLSL only from here: a subgroup computes a product, and GLSL does not say which thread has which sum. If a sum is
 // negative, the subgroup decides all pairs of the product.
-const uint SIDE = 16u;  // of a product
+const uint SIDE = 16u;  // rows and columns of a product
 const uint WARPS = BLOCK / 32u;
-const uint PRODUCTS = TENSOR_ROWS / WARPS / SIDE;  // of a subgroup with SIDE columns
-const uint WORDS = TENSOR_COLUMNS * 2u;            // of a tile
+const uint PRODUCTS = TENSOR_ROWS / WARPS / SIDE;  // products of a subgroup with SIDE columns
+const uint WORDS = TENSOR_COLUMNS * 2u;            // words of a tile
 const uint EACH = WORDS / BLOCK;                   // words that a thread copies
 shared uvec4 columns[2][WORDS];
 
