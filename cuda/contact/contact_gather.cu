@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: what its near spheres give it in a step, added in float32 in the order of its row. In place of
-// contact_pairs, for sums in order: each pair is evaluated from both sides, and no atomics are needed.
+// One thread per sphere: sums the impulses of its near spheres in a step, in float32 and in the order of its row.
+// Replaces contact_pairs for sums in order: each pair is evaluated from both sides, without atomics.
 #include "cuda/contact/contact_state.cuh"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: grows it by its skin, for the search that lists near pairs. All are awake then.
+// One thread per sphere: grows it by its skin, for the search that lists near pairs. All spheres are awake afterwards.
 #include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {

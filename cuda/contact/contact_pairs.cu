@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per near pair, in turns until none is left: what the two spheres give each other in a step. There are
-// near_pairs of them, in any order. Most do not touch, which their float32 centres tell; momenta are loaded only where
-// there is a contact whose damper needs them. Pairs of two spheres at rest are passed over, whose awakening is a launch
-// ahead. Once a sphere has left its skin, the steps behind do nothing.
+// One thread per near pair, looping until none is left: adds the impulses of the two spheres on each other in a step.
+// There are near_pairs of them, in any order. Most do not touch, as their float32 centres show; momenta are loaded only
+// for contacts whose damper needs them. Pairs of two spheres at rest are skipped; an earlier launch of this kernel
+// awakens spheres. Once a sphere has left its skin, later steps do nothing.
 #include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {

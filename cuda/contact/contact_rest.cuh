@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which spheres are at rest; see contact_rest.h.
+// Reads and updates which spheres are at rest; see contact_rest.h.
 #pragma once
 
 #include "common/shared/contact/contact_rest.h"
@@ -11,7 +11,7 @@ __device__ inline bool is_at_rest(const Params& p, const KernelBuffers& buf, uin
   return sleep_mode(p.contact) != SLEEP_NEVER && buf.rest[i] == REST_SAME;
 }
 
-// Threads that awaken the same sphere write the same.
+// Awakens a sphere near one that moved. Threads that awaken the same sphere write the same value.
 __device__ inline void awaken(const KernelBuffers& buf, uint i, uint j) {
   bool first_moved = buf.rest[i] == REST_MOVED;
   bool second_moved = buf.rest[j] == REST_MOVED;

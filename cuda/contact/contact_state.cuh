@@ -20,7 +20,7 @@ __device__ inline void store_axis(const KernelBuffers& buf, uint k, uint i, int6
 }
 // until here
 
-// Without momentum, which contacts need only for a damper.
+// Loads a sphere without its momentum, which contacts need only for a damper.
 __device__ inline Body load_place(const Params& p, const KernelBuffers& buf, uint i) {
   return Body{load_position(buf, 0u, i), load_position(buf, 1u, i), load_position(buf, 2u, i), 0l, 0l, 0l,
               radius_of(p, buf, i)};
@@ -77,13 +77,13 @@ __device__ inline void add_impulse(const KernelBuffers& buf, uint i, float x, fl
   add_to_impulse<FLOAT_SUMS>(buf, 2u, i, z);
 }
 
-// The sum of the impulses that were added.
+// Returns the sum of the impulses that were added.
 template <bool FLOAT_SUMS>
 __device__ inline Push load_impulse(const KernelBuffers& buf, uint i) {
   return Push{load_from_impulse<FLOAT_SUMS>(buf, 0u, i), load_from_impulse<FLOAT_SUMS>(buf, 1u, i),
               load_from_impulse<FLOAT_SUMS>(buf, 2u, i), FAULTS};
 }
-// Of that sum: the next step begins with 0.
+// Sets that sum to 0 for the next step.
 template <bool FLOAT_SUMS>
 __device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum) {
   clear_impulse<FLOAT_SUMS>(buf, 0u, i, sum.x);
@@ -91,7 +91,7 @@ __device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum
   clear_impulse<FLOAT_SUMS>(buf, 2u, i, sum.z);
 }
 
-// The lowest index is kept, so that the message names the same sphere in any order.
+// Records a fault. The lowest index is kept, so that the message names the same sphere in any order.
 __device__ inline void record_fault(const KernelBuffers& buf, uint kind, uint i) {
   if (kind != FAULTS) atomicMin(&buf.fault[kind], i);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
-// that cannot take the step stays where it is and is recorded: the steps behind then do nothing, as they do once a
-// sphere has left its skin, until near pairs are listed again. Clears the results of the last search, where these are
-// by sphere index. A sphere at rest stays as it is.
+// One thread per sphere: makes a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A
+// sphere that cannot make the step stays where it is and is recorded; later steps then do nothing. Steps also do
+// nothing once a sphere has left its skin, until near pairs are listed again. Clears the results of the last search if
+// they are by sphere index. A sphere at rest stays as it is.
 #include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
@@ -18,7 +18,7 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
     if (i == 0u && has_faults(buf)) atomicMin(&buf.fault[LEFT_SKIN], i);
     return;
   }
-  Body before = load_body(p, buf, i);  // all loads ahead of the first branch that waits for one
+  Body before = load_body(p, buf, i);  // all loads are issued before the first branch that waits for one
   Push contacts = load_impulse<FLOAT_SUMS>(buf, i);
   vec4 skin = buf.grown[i];
   if (buf.fault[STOPPED] != 0u) return;

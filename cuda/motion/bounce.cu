@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per SPHERES_PER_BOUNCER spheres: one step of the method `anchored`, which handles only the spheres that
-// may reach the plane. A group compacts these into a list first, so that the few that bounce share subgroups instead of
-// delaying one each.
+// One thread per SPHERES_PER_BOUNCER spheres: makes a step of the method `anchored`, which handles only the spheres
+// that may reach the plane. A group compacts these into a list first, so that the few that bounce share subgroups
+// instead of delaying one each.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere: its position at this step by the method `anchored`. Where this prepares a collision step, its
-// results are cleared.
+// One thread per sphere: computes its position at this step by the method `anchored`. Before a collision step it also
+// clears the results.
 #include "cuda/motion/motion_state.cuh"
 
 namespace spherepair {

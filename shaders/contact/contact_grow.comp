@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: grows it by its skin, for the search that lists near pairs. All are awake then.
+// One thread per sphere: grows it by its skin, for the search that lists near pairs. All spheres are awake afterwards.
 #include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;

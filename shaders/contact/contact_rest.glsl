@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which spheres are at rest; see contact_rest.h.
+// Reads and updates which spheres are at rest; see contact_rest.h.
 #include "shaders/contact/contact_state.glsl"
 
 #include "common/shared/contact/contact_rest.h"
@@ -8,7 +8,7 @@ layout(std430, binding = SLOT_REST) restrict buffer RestBuffer { uint rest[]; };
 
 bool is_at_rest(uint i) { return sleep_mode(p.contact) != SLEEP_NEVER && rest[i] == REST_SAME; }
 
-// Threads that awaken the same sphere write the same.
+// Awakens a sphere near one that moved. Threads that awaken the same sphere write the same value.
 void awaken(uint i, uint j) {
   bool first_moved = rest[i] == REST_MOVED;
   bool second_moved = rest[j] == REST_MOVED;

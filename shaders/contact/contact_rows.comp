@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per near pair, in turns until none is left: each of the two joins the other's row, in any order. Of rows
-// that are too short the longest is recorded, and all are filled again.
+// One thread per near pair, looping until none is left: adds each of the two spheres to the other's row, in any order.
+// If rows are too short, the longest length is recorded, and all rows are filled again.
 #include "shaders/kernels.glsl"
 #include "common/shared/contact/skin.h"
 

@@ -24,7 +24,7 @@ Axis load_axis(uint k, uint i) {
 void store_axis(uint k, uint i, int64_t at, int64_t momentum) { axis[k].of[i] = i64vec2(at, momentum); }
 // until here
 
-// Without momentum, which contacts need only for a damper.
+// Loads a sphere without its momentum, which contacts need only for a damper.
 Body load_place(uint i) {
   return Body(load_position(0u, i), load_position(1u, i), load_position(2u, i), 0l, 0l, 0l, radius_of(i));
 }
@@ -92,18 +92,18 @@ void add_impulse(uint i, float x, float y, float z) {
   add_to_impulse(2u, i, z);
 }
 
-// The sum of the impulses that were added.
+// Returns the sum of the impulses that were added.
 Push load_impulse(uint i) {
   return Push(load_from_impulse(0u, i), load_from_impulse(1u, i), load_from_impulse(2u, i), FAULTS);
 }
-// Of that sum: the next step begins with 0.
+// Sets that sum to 0 for the next step.
 void clear_impulses(uint i, Push sum) {
   clear_impulse(0u, i, sum.x);
   clear_impulse(1u, i, sum.y);
   clear_impulse(2u, i, sum.z);
 }
 
-// The lowest index is kept, so that the message names the same sphere in any order.
+// Records a fault. The lowest index is kept, so that the message names the same sphere in any order.
 void record_fault(uint kind, uint i) {
   if (kind != FAULTS) atomicMin(fault[kind], i);
 }

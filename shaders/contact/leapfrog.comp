@@ -1,9 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A sphere
-// that cannot take the step stays where it is and is recorded: the steps behind then do nothing, as they do once a
-// sphere has left its skin, until near pairs are listed again. Clears the results of the last search, where these are
-// by sphere index. A sphere at rest stays as it is.
+// One thread per sphere: makes a step of the leapfrog, by the impulses of its contacts, of walls and of gravity. A
+// sphere that cannot make the step stays where it is and is recorded; later steps then do nothing. Steps also do
+// nothing once a sphere has left its skin, until near pairs are listed again. Clears the results of the last search if
+// they are by sphere index. A sphere at rest stays as it is.
 #include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -17,7 +17,7 @@ void main() {
     if (i == 0u && has_faults()) atomicMin(fault[LEFT_SKIN], i);
     return;
   }
-  Body before = load_body(i);  // all loads ahead of the first branch that waits for one
+  Body before = load_body(i);  // all loads are issued before the first branch that waits for one
   Push contacts = load_impulse(i);
   vec4 skin = grown[i];
   if (fault[STOPPED] != 0u) return;

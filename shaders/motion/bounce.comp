@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per SPHERES_PER_BOUNCER spheres: one step of the method `anchored`, which handles only the spheres that
-// may reach the plane. A group compacts these into a list first, so that the few that bounce share subgroups instead of
-// delaying one each.
+// One thread per SPHERES_PER_BOUNCER spheres: makes a step of the method `anchored`, which handles only the spheres
+// that may reach the plane. A group compacts these into a list first, so that the few that bounce share subgroups
+// instead of delaying one each.
 #include "shaders/motion/motion_state.glsl"
 
 layout(std430, binding = SLOT_NEXT_EVENT) readonly buffer NextEventVectors { uvec4 next_event_vector[]; };

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: its position at this step by the method `anchored`. Where this prepares a collision step, its
-// results are cleared.
+// One thread per sphere: computes its position at this step by the method `anchored`. Before a collision step it also
+// clears the results.
 #include "shaders/motion/motion_state.glsl"
 
 layout(local_size_x = BLOCK) in;

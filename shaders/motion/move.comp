@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere: one step of motion with the plane. Clears the counts and totals of the last search where
+// One thread per sphere: makes one step of motion with the plane. Clears the counts and totals of the last search if
 // p.motion.clear_results is set.
 #include "shaders/motion/motion_state.glsl"
 
