@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Appending to a list in global memory, with one atomic per group.
+// Appends to a list in global memory, with one atomic per group.
 #pragma once
 
 #include "cuda/draw/visibility_buffer.cuh"
 
 namespace spherepair {
 
-// The index of a new entry of the list whose length is in `word` of SLOT_DRAWN; only threads with `appends` get one.
-// All threads of the group call it.
+// Returns the index of a new entry in the list whose length is in `word` of SLOT_DRAWN. Only threads with `appends` get
+// one. All threads of the group must call it.
 __device__ inline uint append_index(const KernelBuffers& buf, uint word, bool appends) {
   __shared__ uint entries;  // of the group
   __shared__ uint first_entry;

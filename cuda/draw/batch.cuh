@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A group draws as many spheres at a time as it has threads: one thread computes the footprint of each; since few are
-// visible, BOX_THREADS threads then share the pixels of each of those.
+// Draws as many spheres at a time as a group has threads: one thread computes the footprint of each; since few are
+// visible, BOX_THREADS threads then share the pixels of each visible one.
 #pragma once
 
 #include "cuda/draw/visibility_buffer.cuh"
 
 namespace spherepair {
 
-// All threads of the group call it; `exists`: this thread has a sphere.
+// Draws a sphere for each thread with `exists`. All threads of the group must call it.
 template <uint BLOCK>
 __device__ inline void draw_batch(const Params& p, const KernelBuffers& buf, const View& v, uint k, bool exists) {
   // Box, nearest and index: 16 bytes, for occupancy; the rest is looked up again.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// BOUNDS_LANES threads per cluster, which share its spheres: the bounding box of each cluster, and then of each bundle.
-// By cells, one thread per cluster: it derives the box from the cells in which this cluster and the next one begin, and
-// reads all spheres only when these are not in one row of cells.
+// BOUNDS_LANES threads per cluster share its spheres: they compute the bounding box of each cluster, then of each
+// bundle. By cells, one thread per cluster derives the box from the cells in which this cluster and the next one begin,
+// and reads all spheres only if these are not in one row of cells.
 #include "common/shared/cluster.h"
 #include "cuda/kernels.cuh"
 
@@ -21,8 +21,8 @@ __device__ inline vec4 max(vec4 a, vec4 b) {
 __shared__ vec4 low[BLOCK];
 __shared__ vec4 high[BLOCK];
 
-// A step of the reduction, which all threads of the group call: every second box `stride` apart is joined with its
-// neighbour.
+// Makes a step of the reduction: joins every second box `stride` apart with its neighbour. All threads of the group
+// must call it.
 __device__ inline void join(uint stride) {
   uint lane = threadIdx.x;
   __syncthreads();
@@ -50,7 +50,7 @@ __global__ void __launch_bounds__(BLOCK) draw_bounds(Params p, KernelBuffers buf
     if (in_row) high[lane] = highest_in_row(end, p.grid);
   }
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
-    vec4 four[4];  // all loads are issued before the first is used; past the last sphere, that one again
+    vec4 four[4];  // all loads are issued before the first is used; past the end the last sphere repeats
     for (uint j = 0u; j < 4u; ++j) {
       uint i = c * CLUSTER + k + j * lanes;
       four[j] = with_radius(p, buf.position[i < p.n ? i : p.n - 1u]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere; a fixed number of groups loops over a list of clusters, or all of them.
+// One thread per sphere; a fixed number of groups loops over a list of clusters, or all of them, and draws the spheres.
 #define VISIBLE_LOAD __ldca  // a stale depth only costs time
 #include "cuda/draw/batch.cuh"
 

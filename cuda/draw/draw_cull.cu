@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One thread per cluster, or per deferred one: frustum and occlusion culling. A cluster that passes is listed to be
-// drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
+// One thread per cluster, or per deferred cluster: culls it by frustum and occlusion. A cluster that passes is listed
+// to be drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
 #include "cuda/draw/append.cuh"
 
 namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-// The list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a cluster, a
-// deferred one at the coarsest first.
+// Returns the list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a
+// cluster, a deferred bundle at the coarsest first.
 template <bool BUNDLES>
 __device__ inline uint list_for(const KernelBuffers& buf, const View& v, vec4 low, vec4 high, bool bundled) {
   if (low.x > high.x) return OUT_OF_VIEW;  // empty
@@ -28,8 +28,8 @@ __device__ inline uint list_for(const KernelBuffers& buf, const View& v, vec4 lo
   return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_DEFERRED : LIST_DRAWN;
 }
 
-// A bundle that was hidden at its last test, as the w of its lowest corner says, most likely is again: it is deferred
-// untested.
+// Returns the list for a bundle. One that was hidden at its last test (w of its lowest corner) most likely is again, so
+// it is deferred untested.
 __device__ inline uint list_for_bundle(const KernelBuffers& buf, const View& v, uint bundle) {
   uint at = corners_of_bundle(bundle, v);
   vec4 low = buf.cluster[at];
@@ -40,7 +40,7 @@ __device__ inline uint list_for_bundle(const KernelBuffers& buf, const View& v, 
   return list;
 }
 
-// All threads of the group call it; those with `appends` append their entry.
+// Appends the entries of threads with `appends`. All threads of the group must call it.
 __device__ inline void append(const KernelBuffers& buf, const View& v, uint list, bool appends, uint entry) {
   uint at = append_index(buf, DRAWN_CLUSTERS + list, appends);
   if (appends) buf.cluster_list[list * v.clusters + at] = entry;
@@ -54,7 +54,8 @@ __device__ inline void count_left_out(const KernelBuffers& buf, const View& v, u
   if (list == HIDDEN) count_in(buf, v, DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
-// All threads of the group call it; `selected`: this thread's cluster c is tested. Returns whether it is deferred.
+// Tests cluster c for each thread with `selected`; returns whether it is deferred. All threads of the group must call
+// it.
 template <bool BUNDLES>
 __device__ inline bool cull_cluster(const KernelBuffers& buf, const View& v, uint c, bool selected) {
   uint list = OUT_OF_VIEW;
@@ -65,8 +66,8 @@ __device__ inline bool cull_cluster(const KernelBuffers& buf, const View& v, uin
   return list == LIST_DEFERRED;
 }
 
-// All threads of the group call it; `exists`: this thread has an entry, a bundle and which of its clusters are
-// selected. Returns which of them are deferred.
+// Tests an entry for each thread with `exists`: a bundle and its selected clusters. Returns which of these are
+// deferred. All threads of the group must call it.
 __device__ inline uint cull_bundle(const KernelBuffers& buf, const View& v, uint entry, bool exists) {
   __shared__ uint bundle_entries[BLOCK];  // the bundles whose clusters are tested ...
   __shared__ uint deferred_of[BLOCK];     // ... and which of these are deferred

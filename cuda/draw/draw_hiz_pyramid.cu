@@ -8,9 +8,9 @@ namespace spherepair {
 
 constexpr uint BLOCK = PYRAMID_BLOCK;
 
-constexpr uint side = LEVEL_1 / LEVEL_0;  // texels of level 0 along one of level 1, and of that along one of level 2
-constexpr uint texels = side * side;      // of level 0 along one of level 2
-constexpr uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // in a column, that one thread reads
+constexpr uint side = LEVEL_1 / LEVEL_0;  // texels across one of the next level, from level 0 to 1 and from 1 to 2
+constexpr uint texels = side * side;      // texels of level 0 across one of level 2
+constexpr uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // pixels of a column that one thread reads
 
 __device__ inline void put(const KernelBuffers& buf, const View& v, uint level, uint x, uint y, uvec2 texel) {
   uint width = texels_along(v.width, level);

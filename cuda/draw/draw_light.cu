@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel, in place of draw_resolve: shading with ambient occlusion and shadows by other spheres, and the
-// ground.
+// One thread per pixel, instead of draw_resolve: shades it with ambient occlusion and shadows by other spheres, and
+// draws the ground.
 #include "common/shared/light.h"
 #include "cuda/kernels.cuh"
 
@@ -8,7 +8,7 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-// The sphere at index k in cell order; the surface's own sphere does not occlude it.
+// The sphere at index k in cell order, and whether it is the surface's own, which does not occlude it.
 __device__ inline vec4 found_at(const Params& p, const KernelBuffers& buf, uint k) {
   return index_source(p) != 0u ? buf.sorted[k] : buf.position[k];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere; a fixed number of groups loops over the spheres that were visible in recent frames.
+// One thread per sphere; a fixed number of groups loops over the spheres visible in recent frames, and draws them.
 #define VISIBLE_LOAD __ldca  // a stale depth only costs time
 #include "cuda/draw/append.cuh"
 #include "cuda/draw/batch.cuh"

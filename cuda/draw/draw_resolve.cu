@@ -5,7 +5,7 @@
 
 namespace spherepair {
 
-// Resets the counts, except that of the list of visible spheres that the next frame draws.
+// Moves a count to the previous frame's, unless it counts the visible spheres that the next frame draws.
 __device__ inline void move_counts(const KernelBuffers& buf, const View& v, uint word) {
   uint stays = DRAWN_SEEN + (v.occlusion != 0u ? 1u - v.turn : v.turn);
   if (word >= DRAWN_WORDS || word == stays) return;

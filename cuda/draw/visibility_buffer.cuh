@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rasterisation of a sphere into the visibility buffer: each pixel keeps the least depth of all spheres that its ray
-// hits, and of equal depths the least sphere index, in whatever order threads run.
+// Rasterises a sphere into the visibility buffer: each pixel keeps the least depth of all spheres that its ray hits,
+// and of equal depths the least sphere index, in whatever order threads run.
 #pragma once
 
 #include "cuda/draw/hiz.cuh"
@@ -15,7 +15,8 @@ __device__ inline void count_drawn(const KernelBuffers& buf, const View& v, uint
   if (v.counting != 0u && v.pass == PASS_DEPTH) atomicAdd(&buf.drawn[word], 1u);
 }
 
-// `nearest`: least_depth_of the sphere; where the pixel already shows something nearer, the ray is not intersected.
+// Draws a sphere in one pixel. nearest: least_depth_of the sphere; if the pixel already shows something nearer, the ray
+// is not intersected.
 __device__ inline void draw_at(const KernelBuffers& buf, const View& v, uint px, uint py, vec4 seen, uint nearest,
                                uint sphere) {
   uint pixel = py * v.width + px;
@@ -48,8 +49,9 @@ struct Footprint {
   uint nearest, sphere;
 };
 
-// A sphere is skipped when it is outside the frustum, between pixel centres, hidden or drawn before, and cut into tiles
-// when it is large; one of its threads, which `leads`, does that and copies its contacts from cell order.
+// Returns the footprint of a sphere. It is skipped if it is outside the frustum, between pixel centres, hidden or drawn
+// before, and cut into tiles if it is large. One of its threads, which `leads`, does that and copies its contacts from
+// cell order.
 __device__ inline Footprint footprint_of(const Params& p, const KernelBuffers& buf, const View& v, uint k, bool leads) {
   vec4 found = buf.position[k];
   vec4 seen = in_camera(with_radius(p, found), v);
@@ -76,7 +78,7 @@ __device__ inline Footprint footprint_of(const Params& p, const KernelBuffers& b
   return footprint;
 }
 
-// The share of one of the threads that draw a footprint.
+// Draws one thread's share of a footprint.
 __device__ inline void draw_footprint(const KernelBuffers& buf, const View& v, Footprint footprint, uint lane,
                                       uint lanes, uint across) {
   Box box = footprint.box;

@@ -30,7 +30,7 @@ __device__ inline bool is_new(const KernelBuffers& buf, const View& v, uint pixe
   return (atomicOr(&buf.seen_left[sphere / 8u], all) & all) == 0u;
 }
 
-// All threads of the group call begin_list before and end_list after their pixels; the list is that of a View::turn.
+// All threads of the group must call begin_list before and end_list after their pixels. View::turn chooses the list.
 __device__ inline void begin_list() {
   if (threadIdx.x == 0u) entries = 0u;
   __syncthreads();

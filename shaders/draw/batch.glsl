@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A group draws as many spheres at a time as it has threads: one thread computes the footprint of each; since few are
-// visible, BOX_THREADS threads then share the pixels of each of those.
+// Draws as many spheres at a time as a group has threads: one thread computes the footprint of each; since few are
+// visible, BOX_THREADS threads then share the pixels of each visible one.
 #include "shaders/draw/visibility_buffer.glsl"
 
 // Box, nearest and index: 16 bytes, for occupancy; the rest is looked up again.
 shared uvec4 queue[BLOCK];
 shared uint queued;
 
-// All threads of the group call it; `exists`: this thread has a sphere.
+// Draws a sphere for each thread with `exists`. All threads of the group must call it.
 void draw_batch(uint k, bool exists) {
   uint lane = gl_LocalInvocationID.x;
   if (lane == 0u) queued = 0u;

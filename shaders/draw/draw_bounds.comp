@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// BOUNDS_LANES threads per cluster, which share its spheres: the bounding box of each cluster, and then of each bundle.
-// By cells, one thread per cluster: it derives the box from the cells in which this cluster and the next one begin, and
-// reads all spheres only when these are not in one row of cells.
+// BOUNDS_LANES threads per cluster share its spheres: they compute the bounding box of each cluster, then of each
+// bundle. By cells, one thread per cluster derives the box from the cells in which this cluster and the next one begin,
+// and reads all spheres only if these are not in one row of cells.
 #include "shaders/draw/view.glsl"
 #include "shaders/kernels.glsl"
 #include "common/shared/cluster.h"
@@ -13,8 +13,8 @@ const uint lanes = BY_CELLS ? 1u : BOUNDS_LANES;
 shared vec4 low[BLOCK];
 shared vec4 high[BLOCK];
 
-// A step of the reduction, which all threads of the group call: every second box `stride` apart is joined with its
-// neighbour.
+// Makes a step of the reduction: joins every second box `stride` apart with its neighbour. All threads of the group
+// must call it.
 void join(uint stride) {
   uint lane = gl_LocalInvocationID.x;
   barrier();
@@ -40,7 +40,7 @@ void main() {
     if (in_row) high[lane] = highest_in_row(end, p.grid);
   }
   for (uint k = own_lane; !in_row && k < CLUSTER; k += 4u * lanes) {
-    vec4 four[4];  // all loads are issued before the first is used; past the last sphere, that one again
+    vec4 four[4];  // all loads are issued before the first is used; past the end the last sphere repeats
     for (uint j = 0u; j < 4u; ++j) {
       uint i = c * CLUSTER + k + j * lanes;
       four[j] = with_radius(position[i < p.n ? i : p.n - 1u]);

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // One thread per PIXELS_EACH pixels: clears the visibility buffer and lists the spheres that were visible in it. Not
-// needed when draw_resolve of the previous frame has done it, which did not keep its pixels and had as many.
+// needed if draw_resolve cleared the previous frame's pixels and there were as many.
 #include "shaders/draw/visible_list.glsl"
 
 layout(local_size_x = BLOCK) in;

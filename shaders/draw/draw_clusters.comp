@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere; a fixed number of groups loops over a list of clusters, or all of them.
+// One thread per sphere; a fixed number of groups loops over a list of clusters, or all of them, and draws the spheres.
 #define VISIBLE_ACCESS  // a stale depth only costs time
 #include "shaders/draw/batch.glsl"
 

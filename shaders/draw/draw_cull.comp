@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
 #pragma optionNV(unroll none)  // GLSL only: a tenth faster; slower in other kernels
-// One thread per cluster, or per deferred one: frustum and occlusion culling. A cluster that passes is listed to be
-// drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
+// One thread per cluster, or per deferred cluster: culls it by frustum and occlusion. A cluster that passes is listed
+// to be drawn, or deferred. With many spheres, one thread per bundle of clusters comes first.
 #include "shaders/draw/append.glsl"
 
 layout(std430, binding = SLOT_CLUSTER) restrict buffer ClusterBuffer { vec4 cluster[]; };
@@ -12,8 +12,8 @@ shared uint bundle_entries[BLOCK];  // the bundles whose clusters are tested ...
 shared uint deferred_of[BLOCK];     // ... and which of these are deferred
 shared uint bundles_listed;
 
-// The list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a cluster, a
-// deferred one at the coarsest first.
+// Returns the list for the contents of a box, or why it is culled. A bundle is tested at a coarser level than a
+// cluster, a deferred bundle at the coarsest first.
 uint list_for(vec4 low, vec4 high, bool bundled) {
   if (low.x > high.x) return OUT_OF_VIEW;  // empty
   Solid solid = solid_of(low, high, v);
@@ -32,8 +32,8 @@ uint list_for(vec4 low, vec4 high, bool bundled) {
   return texel.y < least_depth(brought_nearer(solid, low, high), box, v) ? LIST_DEFERRED : LIST_DRAWN;
 }
 
-// A bundle that was hidden at its last test, as the w of its lowest corner says, most likely is again: it is deferred
-// untested.
+// Returns the list for a bundle. One that was hidden at its last test (w of its lowest corner) most likely is again, so
+// it is deferred untested.
 uint list_for_bundle(uint bundle) {
   uint at = corners_of_bundle(bundle, v);
   vec4 low = cluster[at];
@@ -44,7 +44,7 @@ uint list_for_bundle(uint bundle) {
   return list;
 }
 
-// All threads of the group call it; those with `appends` append their entry.
+// Appends the entries of threads with `appends`. All threads of the group must call it.
 void append(uint list, bool appends, uint entry) {
   uint at = append_index(DRAWN_CLUSTERS + list, appends);
   if (appends) cluster_list[list * v.clusters + at] = entry;
@@ -58,7 +58,8 @@ void count_left_out(uint list, uint clusters) {
   if (list == HIDDEN) count_in(DRAWN_CLUSTERS_HIDDEN, clusters);
 }
 
-// All threads of the group call it; `selected`: this thread's cluster c is tested. Returns whether it is deferred.
+// Tests cluster c for each thread with `selected`; returns whether it is deferred. All threads of the group must call
+// it.
 bool cull_cluster(uint c, bool selected) {
   uint list = OUT_OF_VIEW;
   if (selected) list = list_for(cluster[2u * c], cluster[2u * c + 1u], false);
@@ -68,8 +69,8 @@ bool cull_cluster(uint c, bool selected) {
   return list == LIST_DEFERRED;
 }
 
-// All threads of the group call it; `exists`: this thread has an entry, a bundle and which of its clusters are
-// selected. Returns which of them are deferred.
+// Tests an entry for each thread with `exists`: a bundle and its selected clusters. Returns which of these are
+// deferred. All threads of the group must call it.
 uint cull_bundle(uint entry, bool exists) {
   uint lane = gl_LocalInvocationID.x;
   uint own = list_of(v.phase);

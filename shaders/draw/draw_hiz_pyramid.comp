@@ -10,9 +10,9 @@ layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { 
 layout(std430, binding = SLOT_PYRAMID) restrict writeonly buffer PyramidBuffer { uvec2 pyramid[]; };
 layout(std430, binding = SLOT_DRAWN) restrict buffer DrawnBuffer { uint drawn[]; };
 layout(local_size_x = BLOCK) in;
-const uint side = LEVEL_1 / LEVEL_0;  // texels of level 0 along one of level 1, and of that along one of level 2
-const uint texels = side * side;      // of level 0 along one of level 2
-const uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // in a column, that one thread reads
+const uint side = LEVEL_1 / LEVEL_0;  // texels across one of the next level, from level 0 to 1 and from 1 to 2
+const uint texels = side * side;      // texels of level 0 across one of level 2
+const uint pixels_each = LEVEL_2 * LEVEL_2 / BLOCK;  // pixels of a column that one thread reads
 shared uvec2 columns[texels][LEVEL_2 + 1u];          // of pixels; the padding avoids bank conflicts
 shared uvec2 texel_0[texels * texels];
 shared uvec2 texel_1[side * side];

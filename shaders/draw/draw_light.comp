@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per pixel, in place of draw_resolve: shading with ambient occlusion and shadows by other spheres, and the
-// ground.
+// One thread per pixel, instead of draw_resolve: shades it with ambient occlusion and shadows by other spheres, and
+// draws the ground.
 #include "shaders/draw/view.glsl"
 #include "shaders/grid/grid.glsl"
 #include "shaders/kernels.glsl"
@@ -12,7 +12,7 @@ layout(std430, binding = SLOT_VISIBLE) restrict readonly buffer VisibleBuffer { 
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
 layout(local_size_x = BLOCK) in;
 
-// The sphere at index k in cell order; the surface's own sphere does not occlude it.
+// The sphere at index k in cell order, and whether it is the surface's own, which does not occlude it.
 vec4 found_at(uint k) { return index_source() != 0u ? sorted[k] : position[k]; }
 bool is_own(vec4 found, uint k, Surface s) { return sphere_index(found, k) == s.sphere; }
 

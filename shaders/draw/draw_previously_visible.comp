@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere; a fixed number of groups loops over the spheres that were visible in recent frames.
+// One thread per sphere; a fixed number of groups loops over the spheres visible in recent frames, and draws them.
 #define VISIBLE_ACCESS  // a stale depth only costs time
 #include "shaders/draw/append.glsl"
 #include "shaders/draw/batch.glsl"

@@ -7,7 +7,7 @@
 layout(std430, binding = SLOT_IMAGE) restrict writeonly buffer ImageBuffer { uint image[]; };
 layout(local_size_x = BLOCK) in;
 
-// Resets the counts, except that of the list of visible spheres that the next frame draws.
+// Moves a count to the previous frame's, unless it counts the visible spheres that the next frame draws.
 void move_counts(uint word) {
   uint stays = DRAWN_SEEN + (v.occlusion != 0u ? 1u - v.turn : v.turn);
   if (word >= DRAWN_WORDS || word == stays) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lookups in the hierarchical Z: texels that hold the greatest depth of their pixels.
+// Looks up the hierarchical Z, whose texels hold the greatest depth of their pixels.
 #include "shaders/draw/view.glsl"
 #include "shaders/kernels.glsl"
 #include "common/shared/cluster.h"
@@ -26,8 +26,8 @@ bool is_hidden(Box box, uint nearest, uint level) {
   return true;
 }
 
-// The maximum over the texels of a box; infinite when these are too many. The remaining texels are not loaded once the
-// depth that decides in this phase is no nearer than `nearest`.
+// Returns the maximum over the texels of a box; infinite if there are too many. It stops loading texels once the depth
+// that decides in this phase is no nearer than `nearest`.
 uvec2 texel_of_box(Box box, uint nearest, uint level) {
   uvec2 all = {0xFFFFFFFFu, 0xFFFFFFFFu};
   if (texels_of(box, level) > uint(TEXELS_TO_SEARCH)) return all;

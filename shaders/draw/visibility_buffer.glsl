@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rasterisation of a sphere into the visibility buffer: each pixel keeps the least depth of all spheres that its ray
-// hits, and of equal depths the least sphere index, in whatever order threads run.
+// Rasterises a sphere into the visibility buffer: each pixel keeps the least depth of all spheres that its ray hits,
+// and of equal depths the least sphere index, in whatever order threads run.
 #include "shaders/draw/hiz.glsl"
 
 #ifndef VISIBLE_ACCESS
@@ -38,7 +38,8 @@ void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
 }
 #else
 // until here
-// `nearest`: least_depth_of the sphere; where the pixel already shows something nearer, the ray is not intersected.
+// Draws a sphere in one pixel. nearest: least_depth_of the sphere; if the pixel already shows something nearer, the ray
+// is not intersected.
 void draw_at(uint px, uint py, vec4 seen, uint nearest, uint sphere) {
   uint pixel = py * v.width + px;
   uint64_t there = visible[pixel];
@@ -68,8 +69,9 @@ struct Footprint {
   uint nearest, sphere;
 };
 
-// A sphere is skipped when it is outside the frustum, between pixel centres, hidden or drawn before, and cut into tiles
-// when it is large; one of its threads, which `leads`, does that and copies its contacts from cell order.
+// Returns the footprint of a sphere. It is skipped if it is outside the frustum, between pixel centres, hidden or drawn
+// before, and cut into tiles if it is large. One of its threads, which `leads`, does that and copies its contacts from
+// cell order.
 Footprint footprint_of(uint k, bool leads) {
   vec4 found = position[k];
   vec4 seen = in_camera(with_radius(found), v);
@@ -96,7 +98,7 @@ Footprint footprint_of(uint k, bool leads) {
   return footprint;
 }
 
-// The share of one of the threads that draw a footprint.
+// Draws one thread's share of a footprint.
 void draw_footprint(Footprint footprint, uint lane, uint lanes, uint across) {
   Box box = footprint.box;
   for (uint y = box.y + lane / across; y < box.y + box.height; y += lanes / across)

@@ -32,7 +32,7 @@ bool is_new(uint pixel) {
   return (atomicOr(seen_left[sphere / 8u], all) & all) == 0u;
 }
 
-// All threads of the group call begin_list before and end_list after their pixels; the list is that of a View::turn.
+// All threads of the group must call begin_list before and end_list after their pixels. View::turn chooses the list.
 void begin_list() {
   if (gl_LocalInvocationID.x == 0u) entries = 0u;
   barrier();
