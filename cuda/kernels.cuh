@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every kernel sees: the buffers of layout.h, the index of its group, and the index of a sphere.
+// Declares what every kernel uses: the buffers of layout.h, the index of its group, and the index of a sphere.
 #pragma once
 
 #include <type_traits>
@@ -40,7 +40,7 @@ Entry pick_kernel(uint block, Variant variant, Pick pick) {
   return nullptr;
 }
 
-// The same with groups that are smaller than a warp.
+// Does the same with groups that are smaller than a warp.
 template <typename Pick>
 Entry pick_small_kernel(uint block, Variant variant, Pick pick) {
   if (block == 8) return pick_variant<8>(variant, pick);
@@ -49,14 +49,14 @@ Entry pick_small_kernel(uint block, Variant variant, Pick pick) {
 }
 // until here
 
-// The index of this group and the number of groups, however the dispatch is folded and sliced.
+// Return the index of this group and the number of groups, however the dispatch is folded and sliced.
 __device__ inline uint group_index(const Params& p) { return p.first_group + blockIdx.x + gridDim.x * blockIdx.y; }
 __device__ inline uint group_count() { return gridDim.x * gridDim.y; }
 
 __device__ inline uint index_source(const Params& p) { return p.indices; }  // CUDA only: known at run time
 
-// The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
-// place of the radius, whichever variant of a kernel reads it.
+// Return the index of a sphere found at index k of the launch's order, and the sphere with its radius. With INDEX_IN_W,
+// w holds the index instead of the radius, whichever variant of a kernel reads it.
 __device__ inline uint sphere_index(const Params& p, const KernelBuffers& buf, vec4 found, uint k) {
   if (index_source(p) == INDEX_IN_W) return float_bits(found.w);
   return index_source(p) == INDEX_IN_ID ? buf.id[k] : k;
@@ -72,21 +72,21 @@ __device__ inline void clear_results(const Params& p, const KernelBuffers& buf, 
 }
 
 // CUDA only from here: OpenGL and Vulkan have no programmatic dependent launch
-// Of a launch that may begin before the previous one has ended (KernelCall::early): waits for that, and sees what it
-// has written. A kernel that needs nothing of the previous launch waits at its end, so that the next launch need only
+// Waits for the previous launch, in a kernel that may begin before that has ended (Call::early), and then sees its
+// writes. A kernel that needs nothing of the previous launch waits at its own end, so that the next launch need only
 // wait for this one; what it reads was written before the previous launch began.
 __device__ inline void grid_dependency_sync() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
 }
-// Once every group has called it, the next launch may begin.
+// Lets the next launch begin once every group has called this.
 __device__ inline void trigger_dependent_launch() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
-// At a kernel's begin: waits for the launch before it where that may be under way, and lets the next one get ready.
+// At a kernel's begin: waits for the previous launch if it may still run, and lets the next one get ready.
 __device__ inline void wait_first(const Params& p) {
   if (p.waits_first == 0u) return;
   grid_dependency_sync();

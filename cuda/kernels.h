@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every kernel gets, and where the host finds the kernels: one entry per file, by group size and variant.
+// The arguments of every kernel, and the host's access to kernels: one entry a file, by group size and variant.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct AxisBuffer {
   Axis* of;
 };
 
-// The buffers of layout.h, by slot: as many addresses as there are slots.
+// The buffers of layout.h: one address a slot, in order.
 struct KernelBuffers {
 #define ONE(slot, type, name, words) type name;
 #define THREE(slot, type, name, words) type name[3];
@@ -27,8 +27,8 @@ struct KernelBuffers {
 SPHEREPAIR_BUFFERS(SAME_SLOT, SAME_SLOT)
 #undef SAME_SLOT
 
-// Every kernel is void (Params p, KernelBuffers buf); those that draw also take a View v. A null entry means a group
-// size or a variant that was not compiled; a kernel of one form ignores both.
+// Every kernel is void (Params p, KernelBuffers buf); kernels that draw also take a View v. A null entry means a group
+// size or a variant that was not compiled. Kernels with one form ignore both.
 using Entry = const void*;
 #define DECLARE(name, reads, writes) Entry name##_kernel(uint block, Variant variant);
 SPHEREPAIR_KERNELS(DECLARE)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every kernel sees: the buffers of layout.h, the index of its group, and the index of a sphere.
+// Declares what every kernel uses: the buffers of layout.h, the index of its group, and the index of a sphere.
 #extension GL_ARB_gpu_shader_int64 : require
 #include "common/shared/layout.h"
 
@@ -24,7 +24,7 @@ layout(std430, binding = SLOT_ID) restrict ID_ACCESS buffer IdBuffer { uint id[]
 #endif
 // until here
 
-// The index of this group and the number of groups, however the dispatch is folded and sliced.
+// Return the index of this group and the number of groups, however the dispatch is folded and sliced.
 #ifdef FOLDED  // GLSL only: the plain form saves the multiplication where the dispatch is neither folded nor sliced
 uint group_index() { return p.first_group + gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y; }
 uint group_count() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
@@ -40,8 +40,8 @@ uint group_count() { return gl_NumWorkGroups.x; }
 // until here
 uint index_source() { return INDICES; }  // GLSL only: known to the compiler
 
-// The index and the radius of a sphere found at index k of the launch's order. Where INDEX_IN_W, w holds the index in
-// place of the radius, whichever variant of a kernel reads it.
+// Return the index of a sphere found at index k of the launch's order, and the sphere with its radius. With INDEX_IN_W,
+// w holds the index instead of the radius, whichever variant of a kernel reads it.
 uint sphere_index(vec4 found, uint k) {
   if (index_source() == INDEX_IN_W) return float_bits(found.w);
   return index_source() == INDEX_IN_ID ? id[k] : k;

@@ -7,10 +7,10 @@
 
 namespace spherepair {
 
-// For kernels that only read the table: where the spheres of the cell at slot table_begin() + k begin.
+// For kernels that only read the table: returns where the spheres of the cell at slot table_begin() + k begin.
 __device__ inline uint begin_at(const KernelBuffers& buf, uint k) { return buf.cell[k]; }
 
-// The spheres of this launch are those from sorted_begin to below sorted_end.
+// This launch handles the spheres from sorted_begin to before sorted_end.
 __device__ inline uint table_begin() { return 0u; }
 __device__ inline uint sorted_begin() { return 0u; }
 __device__ inline uint sorted_end(const Params& p) { return p.n; }

@@ -8,7 +8,7 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-// The sphere's slot; past the last sphere, the end of the table.
+// Returns the sphere's slot; past the last sphere, the end of the table.
 template <bool DENSE>
 __device__ inline uint slot_at(const Params& p, const KernelBuffers& buf, uint i) {
   uint own = slot_of(buf.position[min(i, p.n - 1u)], DENSE, p.grid);

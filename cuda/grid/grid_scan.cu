@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One group per tile of the table: counts become begins by an exclusive prefix sum of the tile, plus the sums of the
-// tiles before it.
+// One group per tile of the table: turns counts into begins by an exclusive prefix sum of the tile, plus the sums of
+// the tiles before it.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {

@@ -11,7 +11,7 @@ namespace spherepair {
 constexpr uint BLOCK = SORT_BLOCK;
 constexpr uint MOST_HELD = SORT_EACH * BLOCK;
 template <bool FROM_TILES>
-constexpr uint RUN_THREADS = FROM_TILES ? 32u : uint(BLOCK);  // that share a run of an oversized bucket
+constexpr uint RUN_THREADS = FROM_TILES ? 32u : uint(BLOCK);  // threads that share a run of an oversized bucket
 __shared__ uint
     scratch[CELLS_PER_BUCKET];  // indices of the bucket's spheres, then cursors of its cells, then sorted indices
 __shared__ uint bucket_begin, bucket_size;
@@ -25,7 +25,7 @@ struct Run {
   uint begin, end;
 };
 
-// FROM_TILES: the run of a tile; else the only one.
+// Returns the run of a tile (FROM_TILES), else the only one.
 template <bool FROM_TILES>
 __device__ inline Run run_of(const Params& p, const KernelBuffers& buf, uint bucket, uint tile) {
   if constexpr (FROM_TILES) {
@@ -37,7 +37,7 @@ __device__ inline Run run_of(const Params& p, const KernelBuffers& buf, uint buc
   }
 }
 
-// FROM_TILES: one thread per tile, which lists the spheres of its run in `scratch`.
+// Finds the bucket's spheres. FROM_TILES: one thread per tile lists the spheres of its run in `scratch`.
 template <bool FROM_TILES>
 __device__ inline Bucket find_bucket(const Params& p, const KernelBuffers& buf, uint bucket) {
   uint lane = threadIdx.x;
@@ -59,7 +59,8 @@ __device__ inline Bucket find_bucket(const Params& p, const KernelBuffers& buf, 
     return Bucket{run.begin, run.end - run.begin, 1u};
   }
 }
-// Index of the bucket's k-th sphere among those that were split; past the last, that of the last; 0 in an empty bucket.
+// Returns the index of the bucket's k-th sphere among the split spheres. Past the end it is the last one's; in an empty
+// bucket it is 0.
 template <bool FROM_TILES>
 __device__ inline uint source_index(Bucket b, uint k) {
   if (b.size == 0u) return 0u;
@@ -72,8 +73,8 @@ __device__ inline void store_sorted(const Params& p, const KernelBuffers& buf, v
   buf.sorted_count[at] = 0u;
 }
 
-// Exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins. The table
-// gets the same index counted over all spheres.
+// Computes an exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins.
+// The table gets the same index counted over all spheres.
 __device__ inline void begin_cells(const Params& p, const KernelBuffers& buf, Bucket b, uint low) {
   uint lane = threadIdx.x;
   __syncthreads();

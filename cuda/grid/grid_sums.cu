@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One group per tile of the table: its sum, for grid_scan.
+// One group per tile of the table: sums it up, for grid_scan.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {

@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-// Inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
+// Returns the inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
 // CUDA only from here: shuffles within a warp, which has 32 threads
 template <uint BLOCK>
 __device__ inline uint sum_up_to(uint own) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per sphere of a sample, at equal strides of the sphere index.
+// One thread per sphere of a sample: copies it, at equal strides of the sphere index.
 #include "cuda/kernels.cuh"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One group, one thread per bucket: counts of spheres become begins, by an exclusive prefix sum.
+// One group, one thread per bucket: turns counts of spheres into begins by an exclusive prefix sum.
 #include "cuda/grid/group_sum.cuh"
 #include "cuda/kernels.cuh"
 

@@ -19,11 +19,11 @@ uint table_begin() { return window.x; }
 uint begin_at(uint k) { return texelFetch(cell_texture, int(k)).x; }
 #else
 // until here
-// For kernels that only read the table: where the spheres of the cell at slot table_begin() + k begin.
+// For kernels that only read the table: returns where the spheres of the cell at slot table_begin() + k begin.
 uint begin_at(uint k) { return cell[k]; }
 #endif  // GLSL only: ends the choice above
 
-// The spheres of this dispatch are those from sorted_begin to below sorted_end.
+// This dispatch handles the spheres from sorted_begin to before sorted_end.
 // GLSL only from here: windows of the table
 #ifdef WINDOWS
 uint sorted_begin() { return begin_at(0u); }

@@ -12,7 +12,7 @@ shared uint slot[BOUNDS_TILE + 1u];  // of the sphere before the first one, then
 shared uint begins[BOUNDS_WINDOW];   // the window of the table that is being filled
 shared uint disorder;
 
-// The sphere's slot; past the last sphere, the end of the table.
+// Returns the sphere's slot; past the last sphere, the end of the table.
 uint slot_at(uint i) {
   uint own = slot_of(position[min(i, p.n - 1u)], DENSE, p.grid);
   return i < p.n ? own : p.grid.cell_slots;

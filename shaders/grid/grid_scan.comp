@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per tile of the table: counts become begins by an exclusive prefix sum of the tile, plus the sums of the
-// tiles before it.
+// One group per tile of the table: turns counts into begins by an exclusive prefix sum of the tile, plus the sums of
+// the tiles before it.
 #include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict buffer CellBuffer { uvec4 cell[]; };

@@ -15,7 +15,7 @@ layout(std430, binding = SLOT_SORTED_COUNT) restrict writeonly buffer SortedCoun
 layout(std430, binding = SLOT_BUCKET) restrict readonly buffer BucketBuffer { uint bucket_cursor[]; };
 layout(local_size_x = BLOCK) in;
 const uint MOST_HELD = SORT_EACH * BLOCK;
-const uint RUN_THREADS = FROM_TILES ? 32u : uint(BLOCK);  // that share a run of an oversized bucket
+const uint RUN_THREADS = FROM_TILES ? 32u : uint(BLOCK);  // threads that share a run of an oversized bucket
 shared uint
     scratch[CELLS_PER_BUCKET];  // indices of the bucket's spheres, then cursors of its cells, then sorted indices
 shared uint bucket_begin, bucket_size;
@@ -28,7 +28,7 @@ struct Run {
   uint begin, end;
 };
 
-// FROM_TILES: the run of a tile; else the only one.
+// Returns the run of a tile (FROM_TILES), else the only one.
 Run run_of(uint bucket, uint tile) {
   if (FROM_TILES) {
     uint run = bucket_cursor[tile * BUCKETS_AT_MOST + bucket];
@@ -39,7 +39,7 @@ Run run_of(uint bucket, uint tile) {
   }
 }
 
-// FROM_TILES: one thread per tile, which lists the spheres of its run in `scratch`.
+// Finds the bucket's spheres. FROM_TILES: one thread per tile lists the spheres of its run in `scratch`.
 Bucket find_bucket(uint bucket) {
   uint lane = gl_LocalInvocationID.x;
   if (FROM_TILES) {
@@ -60,7 +60,8 @@ Bucket find_bucket(uint bucket) {
     return Bucket(run.begin, run.end - run.begin, 1u);
   }
 }
-// Index of the bucket's k-th sphere among those that were split; past the last, that of the last; 0 in an empty bucket.
+// Returns the index of the bucket's k-th sphere among the split spheres. Past the end it is the last one's; in an empty
+// bucket it is 0.
 uint source_index(Bucket b, uint k) {
   if (b.size == 0u) return 0u;
   return FROM_TILES ? scratch[min(k, b.size - 1u)] : b.begin + min(k, b.size - 1u);
@@ -72,8 +73,8 @@ void store_sorted(vec4 sphere, uint i, uint at) {
   sorted_count[at] = 0u;
 }
 
-// Exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins. The table
-// gets the same index counted over all spheres.
+// Computes an exclusive prefix sum over `scratch`: counts of cells become the index in the bucket at which each begins.
+// The table gets the same index counted over all spheres.
 void begin_cells(Bucket b, uint low) {
   uint lane = gl_LocalInvocationID.x;
   barrier();

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per tile of the table: its sum, for grid_scan.
+// One group per tile of the table: sums it up, for grid_scan.
 #include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uvec4 cell[]; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prefix sums over the threads of a group, through registers within each subgroup.
 
-// Inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
+// Returns the inclusive prefix sum of `own`. Every thread of the group must call it, with a barrier between two calls.
 // GLSL only from here: sums of subgroups where the extension exists, else shared memory. The language leaves open which
 // invocations form a subgroup; here they must be consecutive, the first ones subgroup 0, so SUBGROUPS is defined only
 // where that is known (glsl/device_limits.cpp).

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per sphere of a sample, at equal strides of the sphere index.
+// One thread per sphere of a sample: copies it, at equal strides of the sphere index.
 #include "shaders/kernels.glsl"
 
 layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { vec4 sorted[]; };

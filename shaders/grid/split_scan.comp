@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group, one thread per bucket: counts of spheres become begins, by an exclusive prefix sum.
+// One group, one thread per bucket: turns counts of spheres into begins by an exclusive prefix sum.
 #include "shaders/grid/group_sum.glsl"
 #include "shaders/kernels.glsl"
 
