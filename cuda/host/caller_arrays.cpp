@@ -28,7 +28,7 @@ bool CallerArrays::is_captured() const {
   return known && status != cudaStreamCaptureStatusNone;
 }
 
-// The buffers of lists are used by one call after the other, whatever their streams.
+// Waits for the last call's stream, since all calls use the same buffers of lists.
 void CallerArrays::begin(void* stream) {
   stream_ = static_cast<cudaStream_t>(stream);
   use_(stream_);

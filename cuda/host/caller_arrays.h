@@ -12,7 +12,7 @@ namespace spherepair {
 
 class CallerArrays final : public DeviceArrays {
  public:
-  // `use` sends what is held back, and all that follows to the stream.
+  // use: submits what is held back, and sends later work to the stream.
   CallerArrays(int device, std::function<void(cudaStream_t)> use) : device_(device), use_(std::move(use)) {}
   ~CallerArrays() override;
   CallerArrays(const CallerArrays&) = delete;
@@ -33,7 +33,7 @@ class CallerArrays final : public DeviceArrays {
   const int device_;
   std::function<void(cudaStream_t)> use_;
   cudaStream_t stream_ = nullptr;
-  cudaEvent_t last_used_ = nullptr;  // behind the last call
+  cudaEvent_t last_used_ = nullptr;  // recorded after the last call
 };
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cuda_check: throws BackendError when a call of CUDA failed; `what` says what was tried.
+// cuda_check throws BackendError if a call of CUDA failed; `what` says what was tried.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -63,7 +63,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   void require_kernels(int device);
 
   const int device_;
-  int before_;  // the thread's, from enter to leave
+  int before_;  // device that leave_thread restores
   BackendInfo info_;
   DeviceCapabilities capabilities_;
   StepGraphs graphs_;
@@ -71,12 +71,12 @@ class CudaDevice final : public Device, private DeviceLibrary {
   CallerArrays arrays_;
   LibrarySort library_;
   StageEvents stages_;
-  std::unordered_set<Entry> loaded_;  // kernels that were launched
-  bool programmatic_ = false;         // a launch can begin before the one before it is done
-  bool early_ = false;                // and does, in this step
-  bool batched_ = true;               // else the host waits for each launch of this step
-  bool overlaps_ = true;              // launches of this step, and what follows it, that have no hazard
-  Hazards hazards_;                   // writes, clears and Thrust forget them
+  std::unordered_set<Entry> loaded_;  // kernels launched so far
+  bool programmatic_ = false;         // a launch can begin before the previous one ends
+  bool early_ = false;                // ... and does so in this step
+  bool batched_ = true;               // false: the host waits for each launch of this step
+  bool overlaps_ = true;              // launches without a hazard overlap, in this step and after it
+  Hazards hazards_;                   // writes, clears and Thrust reset it
 };
 
 CudaDevice::CudaDevice(int device, int before)
@@ -106,7 +106,7 @@ void CudaDevice::require_kernels(int device) {
   int runtime = 0, driver = 0;
   cudaRuntimeGetVersion(&runtime);
   cudaDriverGetVersion(&driver);
-  const bool captured = std::min(runtime, driver) >= 12030;                         // by graphs
+  const bool captured = std::min(runtime, driver) >= 12030;                         // graphs can capture it
   programmatic_ = captured && error == cudaSuccess && attributes.ptxVersion >= 90;  // else compiled without waits
   if (error == cudaSuccess) return;
   const std::string capability = info_.details.at("compute capability");
@@ -166,7 +166,7 @@ void CudaDevice::launch(const Launch& launch, const Params& params, const Buffer
   work.early += call.params.waits_first;
   work.overlapped += overlaps;
   if (recorder_.collecting()) return recorder_.add(call);
-  recorder_.flush();  // steps that are held back
+  recorder_.flush();  // submits steps that are held back
   ++work.launches;
   stages_.time(stage_name(launch), [&] { graphs_.launch_call(call); });
   if (!batched_) wait(), ++work.waits;
@@ -228,7 +228,7 @@ std::vector<StageTime> CudaDevice::stage_times() {
 
 std::unique_ptr<Device> open_cuda_device(const OpenOptions& options) {
   int before = 0;
-  cudaGetDevice(&before);  // without a driver it fails, and what follows says so
+  cudaGetDevice(&before);  // fails without a driver; later calls report it
   return std::make_unique<CudaDevice>(use_device(DeviceName(options.cuda_device)), before);
 }
 

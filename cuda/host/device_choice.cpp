@@ -97,19 +97,19 @@ BackendInfo describe_device(int device) {
 uint tensor_groups(int device) {
   cudaFuncAttributes attributes;
   const bool loaded = cudaFuncGetAttributes(&attributes, collide_tensor_kernel(TENSOR_BLOCK, {})) == cudaSuccess;
-  cudaGetLastError();  // forgotten
+  cudaGetLastError();  // drops the error
   return loaded ? uint(attribute_of(device, cudaDevAttrMultiProcessorCount)) : 0;
 }
 
 uint persistent_groups(int device) {
-  uint each = ~0u;  // on a multiprocessor, of both variants
+  uint each = ~0u;  // groups a multiprocessor, for both variants
   for (const bool equal_radii : {false, true}) {
     int groups = 0;
     const Entry entry = persistent_steps_kernel(SERVICE_BLOCK, {.equal_radii = equal_radii});
     if (cudaOccupancyMaxActiveBlocksPerMultiprocessor(&groups, entry, SERVICE_BLOCK, 0) != cudaSuccess) groups = 0;
     each = std::min(each, uint(groups));
   }
-  cudaGetLastError();  // forgotten
+  cudaGetLastError();  // drops the error
   return attribute_of(device, cudaDevAttrCooperativeLaunch)
              ? each * uint(attribute_of(device, cudaDevAttrMultiProcessorCount))
              : 0;

@@ -6,7 +6,7 @@
 
 namespace spherepair {
 
-// The compiled kernel that a launch asks for; null when its group size was not compiled.
+// Returns the compiled kernel for a launch; null if its group size was not compiled.
 Entry entry_of(const Launch& launch);
 
 }  // namespace spherepair

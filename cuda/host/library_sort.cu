@@ -24,7 +24,7 @@ struct SlotOf {
   __device__ uint operator()(vec4 sphere) const { return slot_of(sphere, grid); }
 };
 
-// The sphere of a number, with it in place of the radius where index_in_w.
+// Returns sphere i; with in_radii its radius is replaced by i.
 struct Named {
   const vec4* position;
   bool in_radii;
@@ -37,7 +37,7 @@ struct Named {
 
 }  // namespace
 
-// Thrust's allocator: blocks that come back are given out again.
+// Thrust's allocator: it hands freed blocks out again.
 class LibrarySort::Memory {
  public:
   using value_type = char;

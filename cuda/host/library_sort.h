@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Thrust's radix sort in place of our kernels, to know what the library is worth. Its temporary memory is
-// kept, so that a step allocates nothing once it has run before.
+// Thrust's radix sort instead of our kernels, to measure what the library is worth. Its temporary memory is kept, so
+// that only the first run of a step allocates.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ class LibrarySort {
   LibrarySort();
   ~LibrarySort();
 
-  // The n spheres by the slots of their cells, on the default stream, which it does not wait for. table:
-  // uint[cell_slots + 1], where the spheres of each slot begin; sorted, id, sorted_count: as SLOT_SORTED, SLOT_ID and
-  // SLOT_SORTED_COUNT, the counts 0.
+  // Sorts the n spheres by the slots of their cells, on the default stream, without waiting for it. table:
+  // uint[cell_slots + 1], where the spheres of each slot begin. sorted, id, sorted_count: as SLOT_SORTED, SLOT_ID and
+  // SLOT_SORTED_COUNT, with counts 0.
   void sort(const Params& p, const vec4* position, uint* table, vec4* sorted, uint* id, uint* sorted_count);
   uint64_t take_allocations();  // of device memory, since the last call
 

@@ -45,7 +45,7 @@ __device__ void put(const DeviceArray& array, uint64_t row, int column, double n
     static_cast<double*>(array.data)[int64_t(row) * array.row_stride + column * array.column_stride] = number;
 }
 
-// The terms and the order of displacement() in common/lists/displacement.cpp.
+// Returns a component of a vector, by the terms and in the order of displacement() in common/lists/displacement.cpp.
 __device__ double component(const ListSystem& system, double from, double to, const int* shift, int axis) {
   ExactSum<8> sum;
   sum.add(to);

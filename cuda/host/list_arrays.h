@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels between callers' arrays and those of a list; all go to the stream.
+// Kernels that copy between callers' arrays and the buffers of a list, in the stream given.
 #pragma once
 
 #include <cuda_runtime.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thrust's radix sort puts a pair list into canonical order before it leaves the device.
+// Sorts a pair list into canonical order by Thrust's radix sort, before it leaves the device.
 #include "cuda/host/sort_pairs.h"
 
 #include <thrust/device_ptr.h>
@@ -11,8 +11,8 @@
 namespace spherepair {
 namespace {
 
-// A little-endian uvec2 read as one 64-bit word holds its first index in the low half: the halves change places, so
-// that the order of the words is the order of the pairs.
+// Swaps the halves of a word. A little-endian uvec2 read as one 64-bit word has its first index in the low half; with
+// swapped halves the order of the words is the order of the pairs.
 struct SwapHalves {
   __host__ __device__ uint64_t operator()(uint64_t word) const { return word << 32 | word >> 32; }
 };

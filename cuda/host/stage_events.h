@@ -18,7 +18,7 @@ class StageEvents {
   void turn(bool on) { on_ = on; }
   bool on() const { return on_; }
 
-  // Runs the work, whose time is then that of a stage of this name.
+  // Runs the work and records its time as a stage with this name.
   template <typename Work>
   void time(const char* name, Work work) {
     if (!on_) return work();
@@ -31,7 +31,8 @@ class StageEvents {
     stages_.push_back(stage);
   }
 
-  // Device times of the stages since the last call, in the order of launch. The device must have finished them.
+  // Returns the device times of the stages since the last call, in the order of launch. The device must have finished
+  // them.
   std::vector<StageTime> take() {
     std::vector<StageTime> times;
     for (const Stage& stage : stages_) {

@@ -51,7 +51,7 @@ StepApi::Recording StepGraphs::record(const std::vector<Call>& calls, uint steps
     for (uint step = 0; step < steps; ++step)
       for (const Call& call : calls) launch_on(stream_, call);
   } catch (const BackendError&) {
-    cudaStreamEndCapture(stream_, &graph);  // else no later step could be captured
+    cudaStreamEndCapture(stream_, &graph);  // otherwise no later step could be captured
     throw;
   }
   cuda_check(cudaStreamEndCapture(stream_, &graph), "capturing a step");

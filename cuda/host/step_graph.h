@@ -15,14 +15,14 @@ class StepGraphs final : public StepApi {
   StepGraphs(const StepGraphs&) = delete;
   StepGraphs& operator=(const StepGraphs&) = delete;
 
-  void launch_call(const Call& call) override;  // on the stream of use_stream(), first the default one
+  void launch_call(const Call& call) override;  // on the stream of use_stream(), at first the default one
   void use_stream(cudaStream_t stream) { launches_on_ = stream; }
   Recording record(const std::vector<Call>& calls, uint steps) override;
   void replay(const Recording& recording) override;
 
  private:
   cudaStream_t launches_on_ = nullptr;
-  cudaStream_t stream_ = nullptr;  // to capture on; the default stream cannot be
+  cudaStream_t stream_ = nullptr;  // to capture on, since the default stream cannot
 };
 
 }  // namespace spherepair
