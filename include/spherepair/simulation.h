@@ -66,7 +66,7 @@ SP_API sp_status sp_simulation_pairs(sp_simulation* simulation, sp_pairs** out);
 SP_API double sp_simulation_dt(const sp_simulation* simulation);      /* seconds of a step */
 SP_API uint64_t sp_simulation_steps(const sp_simulation* simulation); /* made so far */
 
-/* Why the last call failed; of NULL: why this thread's last sp_simulation_open did. */
+/* Why the last call failed. NULL: why this thread's last sp_simulation_open failed. */
 SP_API const char* sp_simulation_message(const sp_simulation* simulation);
 
 #ifdef __cplusplus

@@ -20,7 +20,7 @@ struct Walls {
   std::array<double, 3> low, high;
 };
 
-// Where spheres start; sp_scene has the meaning of each field.
+// Where spheres start; sp_scene explains each field.
 struct Scene {
   Points positions = {};                        // N x 3, m
   Points velocities = {};                       // N x 3, m/s; not given: at rest

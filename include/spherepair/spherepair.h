@@ -42,7 +42,7 @@ extern "C" {
 
 typedef enum sp_status {
   SP_OK = 0,
-  SP_E_ARGUMENT,  /* an argument that no call of this kind can take: its shape, type, sign or a missing pointer */
+  SP_E_ARGUMENT,  /* an argument that the call cannot take: its shape, type or sign, or a missing pointer */
   SP_E_NONFINITE, /* a NaN or an infinity among the numbers; the message names the first */
   SP_E_RANGE,     /* a number other than 0 whose size is not from 2^-450 to 2^450; a point more than 2^30 boxes away
                    * from the box at the origin; more points than 2^31 - 1, or more images of them within reach than 2^27 */
@@ -56,7 +56,7 @@ typedef enum sp_type { SP_F32 = 0, SP_F64, SP_I32, SP_I64, SP_U8 } sp_type;
 
 /* An array of one or two dimensions that the caller owns. Element (row, column) is at
  * data + (row * row_stride + column * column_stride) elements of `type`. One dimension: columns is 1.
- * All zero: there is none. */
+ * All zero: no array. */
 typedef struct sp_array {
   void* data;
   int64_t rows, columns;
@@ -69,7 +69,7 @@ typedef struct sp_array {
  * in its device's memory and in `stream`. Boxes, periodic, offsets and exclusions may lie in either memory; those in
  * CUDA's are copied to the host, for which a call waits. */
 
-/* What is searched. Set `size` to sizeof(sp_problem), the rest to zero, then fill in what there is. */
+/* The problem: which pairs to list. Set `size` to sizeof(sp_problem), the rest to zero, then fill in what there is. */
 typedef struct sp_problem {
   size_t size;
   sp_array positions; /* N x 3, F32 or F64 */
@@ -98,7 +98,7 @@ typedef struct sp_problem {
   void* stream; /* the cudaStream_t in which arrays in CUDA's memory are used; NULL: the default stream */
 } sp_problem;
 
-/* The columns of a list, of `count` rows but for offsets. */
+/* The columns of a list. All but offsets have `count` rows. */
 typedef struct sp_pairs {
   size_t size;        /* sizeof(sp_pairs) */
   int64_t count;      /* pairs in the list */
@@ -107,13 +107,13 @@ typedef struct sp_pairs {
   sp_array shifts;    /* count x 3, I32 or I64: S */
   sp_array vectors;   /* count x 3, F64: x_j - x_i + S H, each component at most 1 unit in the last place off */
   sp_array distances; /* F64: the length of the vector; its relative error is below 2^-50 */
-  sp_array offsets;   /* I64, one row more than points or queries: those of i are offsets[i] to offsets[i + 1] - 1 */
+  sp_array offsets;   /* I64, one row more than points or queries: i has rows offsets[i] to offsets[i + 1] - 1 */
 
   /* For sp_fill with positions in CUDA's memory: one I64 there, which gets the number of pairs. See sp_fill. */
   sp_array found;
 } sp_pairs;
 
-/* What sp_list gives beside first and second: a sum of these. */
+/* The columns that sp_list adds to first and second: a sum of these. */
 enum { SP_SHIFTS = 1, SP_VECTORS = 2, SP_DISTANCES = 4, SP_OFFSETS = 8 };
 
 typedef struct sp_context sp_context; /* a backend on a device, opened */
@@ -128,28 +128,30 @@ SP_API const char* sp_backend_name(int32_t index);
  * UUID, or NULL. threads: of cpu; 0: one a core. On failure *out is NULL and sp_message(NULL) has the reason. */
 SP_API sp_status sp_open(const char* backend, const char* device, int32_t threads, sp_context** out);
 SP_API void sp_close(sp_context* context);                /* NULL is fine. Lists that it made stay valid */
-SP_API const char* sp_backend(const sp_context* context); /* the name of what was opened, until the context is closed */
+SP_API const char* sp_backend(const sp_context* context); /* the name of the opened backend; valid until sp_close */
 SP_API const char* sp_device(const sp_context* context);  /* its device, as the driver names it */
 
-/* Why the last call with this context failed, until its next call; of NULL: why this thread's last sp_open did. */
+/* Why the context's last call failed; valid until its next call. NULL: why this thread's last sp_open failed. */
 SP_API const char* sp_message(const sp_context* context);
 
-/* How many pairs the list has. */
+/* Counts the pairs of the list. */
 SP_API sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* count);
 
-/* Makes the list in memory of its own, which sp_free frees; in CUDA's memory if the positions are there, complete when
- * the stream has got there. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
+/* Makes the list in new memory, which sp_free frees. If the positions are in CUDA's memory, so is the list, complete
+ * once the stream reaches that point. wanted: a sum of SP_SHIFTS ... On failure *out is NULL. */
 SP_API sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wanted, sp_pairs** out);
 SP_API void sp_free(sp_pairs* list); /* NULL is fine */
 
 /* Writes the list into the caller's arrays: those of `pairs` that have data, each of at least `count` rows. `count` is
- * set in any case; where it is more than the rows of an array, nothing is written and the status is SP_E_CAPACITY.
+ * set in any case; if an array has fewer rows, nothing is written and the status is SP_E_CAPACITY.
  *
- * With `found` a call waits for nothing and allocates nothing if the context's last call had the same problem but for
- * the numbers in positions, radii and queries, and columns of as many rows; it can then be captured into a CUDA graph,
- * which can be replayed until the context's next call with another problem. `count` is -1 then, and `found` gets the
- * number of pairs in the stream's turn: if it is more than the rows of a column, no pair was written. Below 0, -1 - i:
- * the numbers of position i, of query i - N, cannot be listed; INT64_MIN: call once without `found`. */
+ * With `found` a call neither waits nor allocates if the context's last call had the same problem, except for the
+ * numbers in positions, radii and queries, and columns of as many rows. Such a call can be captured into a CUDA graph,
+ * which can be replayed until the context's next call with another problem. `count` is then -1, and `found` gets the
+ * number of pairs once the stream reaches that point. If it is more than the rows of a column, no pair was written.
+ * If it is -1 - i, the numbers of position i, or of query i - N, cannot be listed. INT64_MIN: call once without
+ * `found`.
+ */
 SP_API sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pairs);
 
 #ifdef __cplusplus

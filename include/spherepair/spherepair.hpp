@@ -69,7 +69,7 @@ struct Release {
 
 }  // namespace detail
 
-// A view of the caller's rows of `Columns` numbers. A view of an empty range is given, with no rows.
+// A view of the caller's rows of `Columns` numbers. A view of an empty range counts as given, with no rows.
 template <size_t Columns, typename... Types>
 class View {
  public:
@@ -89,7 +89,7 @@ class View {
       : View(std::ranges::empty(range) ? nullptr : std::ranges::data(range)->data(),
              int64_t(std::ranges::size(range))) {}
 
-  // Rows that are part of larger structs: from each to the next it is `stride` numbers.
+  // Rows that are part of larger structs: row k begins k * stride numbers after `data`.
   template <OneOf<Types...> Number>
   View(const Number* data, int64_t rows, int64_t stride = Columns)
       : array_(detail::host_array(data, detail::type_of<Number>, rows, Columns, stride)) {}
@@ -113,7 +113,7 @@ struct Box {
   static Box orthogonal(double x, double y, double z) { return {{{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}}; }
 };
 
-// What is searched; sp_problem has the meaning of each field. Views must stay valid until the call returns.
+// The problem: which pairs to list; sp_problem explains each field. Views must stay valid until the call returns.
 struct Problem {
   Points positions = {};            // N x 3
   Numbers radii = {};               // N; not given: the cutoff is for all
@@ -213,10 +213,10 @@ class Context {
     check(status);
   }
 
-  std::string backend() const { return sp_backend(context_.get()); }  // its name; of "auto": of what was opened
+  std::string backend() const { return sp_backend(context_.get()); }  // its name; after "auto" the chosen one's
   std::string device() const { return sp_device(context_.get()); }    // as the driver names it
 
-  // Counts the pairs. It throws Error, as list and fill do: with any status but SP_E_CAPACITY.
+  // Counts the pairs. Throws Error, as list and fill do, with any status but SP_E_CAPACITY.
   int64_t count(const Problem& problem) {
     int64_t count = 0;
     const sp_problem asked = problem.in_c();
