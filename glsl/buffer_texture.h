@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers as textures, whose texels are read on another path than storage buffers.
+// Binds buffers as textures: GPUs read texels by another path than storage buffers.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -21,8 +21,8 @@ struct TexelRange {
   auto operator<=>(const TexelRange&) const = default;
 };
 
-// The textures that were requested, in the current context. Each is made once: to make one over costs as much as a
-// small dispatch.
+// Makes and binds buffer textures in the current context. Keeps them, since making one costs as much as a small
+// dispatch.
 class BufferTextures {
  public:
   void bind(const TexelRange& range) {
@@ -33,7 +33,7 @@ class BufferTextures {
     bound = texture;
   }
 
-  // Deletes all, as must be done before a buffer is deleted.
+  // Deletes all textures. Call this before a buffer is deleted.
   void forget() {
     for (const auto& [range, texture] : made_) glDeleteTextures(1, &texture);
     made_.clear();
@@ -42,7 +42,7 @@ class BufferTextures {
 
  private:
   GLuint make(const TexelRange& range) {
-    constexpr size_t most = 64;  // new cells may make new ranges without end
+    constexpr size_t most = 64;  // the ranges change with the cells, without limit
     if (made_.size() == most) forget();
     GLuint texture = 0;
     glCreateTextures(GL_TEXTURE_BUFFER, 1, &texture);

@@ -65,8 +65,8 @@ std::vector<EGLDeviceEXT> egl_devices_in_order() {
 
 thread_local const Context* current_context = nullptr;
 
-// Contexts that the driver has reset. It says so once, and what is read from them afterwards is wrong. Lives as long as
-// the process, since contexts may end with it.
+// Contexts that the driver has reset. The driver reports a reset once; later reads from the context are wrong. Never
+// destroyed, since contexts may live until the process ends.
 std::set<EGLContext>& lost_contexts() {
   static auto* contexts = new std::set<EGLContext>;
   return *contexts;

@@ -11,8 +11,8 @@ namespace spherepair {
 
 class Context {
  public:
-  // Takes the GPU that options.gl_device names, else the first: EGL's devices that give GL 4.5, hardware before
-  // software, GPUs in CUDA's order where the driver tells it.
+  // Opens the GPU that options.gl_device names, else the first in this order: hardware before software, GPUs in CUDA's
+  // order where the driver tells it. Counts only EGL devices that offer GL 4.5.
   explicit Context(const OpenOptions& options);
   ~Context();
   Context(const Context&) = delete;
@@ -20,7 +20,7 @@ class Context {
 
   void make_current() const;
   bool try_make_current() const;  // false when the context is lost
-  void leave() const noexcept;    // the thread has the context that it had before this one, or none
+  void leave() const noexcept;    // makes the thread's earlier context current again, or none
   bool software() const { return software_; }
   bool of_window() const { return window_ != nullptr; }
 
@@ -41,10 +41,10 @@ class Context {
   bool software_ = false;
 };
 
-// Whether a context is current: else it was lost, and what was in it went with it.
+// Whether a context is current. If not, it was lost together with its objects.
 bool context_is_current();
 
-// Of the current context's GPU, 32 hex digits; empty for software.
+// The UUID of the current context's GPU, 32 hex digits; empty for software.
 std::string device_uuid();
 
 // Throws BackendError with the name of GL's pending error, if there is one.

@@ -33,8 +33,9 @@ void require_features() {
   }
 }
 
-// What group_sum.glsl takes for granted. A group of 1024 must have no more subgroups than one of them has invocations.
-// These must be consecutive, which no query tells: NVIDIA's are, others' go through shared memory.
+// Whether subgroups are as group_sum.glsl assumes. A group of 1024 must have no more subgroups than a subgroup has
+// invocations. A subgroup's invocations must be consecutive, which no query tells: NVIDIA's are; other GPUs use shared
+// memory.
 bool has_subgroups() {
   if (!epoxy_has_gl_extension("GL_KHR_shader_subgroup") || !gl_string(GL_VENDOR).starts_with("NVIDIA")) return false;
   GLint invocations = 0, kinds = 0;
@@ -76,8 +77,8 @@ DeviceLimits device_limits(const OpenOptions& options) {
           .vendor_free = options.vendor_free};
 }
 
-// Plain buffers have pages of 4 KiB in NVIDIA's driver, slow under random access. What is smaller than a large page has
-// no use for one. Opening the driver's memory takes a tenth of a second, which is spent when the first buffer needs it.
+// Plain buffers have pages of 4 KiB in NVIDIA's driver, which are slow under random access. Buffers smaller than a
+// large page stay plain. Opening the driver's memory takes 0.1 s, so it waits for the first large buffer.
 BufferStorage BufferMemory::allocate(uint64_t bytes) {
   constexpr uint64_t large_page = 2 << 20;
   const bool large = limits_.large_pages && bytes >= large_page;
@@ -85,7 +86,7 @@ BufferStorage BufferMemory::allocate(uint64_t bytes) {
   if (large && driver_) {
     if (const auto storage = driver_->allocate(bytes)) return *storage;
     if (driver_->full()) throw BackendError(out_of_memory(bytes));
-    driver_.reset();  // it cannot be shared here
+    driver_.reset();  // its memory cannot be imported here
   }
   BufferStorage storage;
   glCreateBuffers(1, &storage.buffer);
@@ -94,7 +95,8 @@ BufferStorage BufferMemory::allocate(uint64_t bytes) {
   if (sparse) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, storage.buffer);
     glBufferPageCommitmentARB(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes), GL_TRUE);
-    glFinish();  // given work while gigabytes wait to be committed, a driver that serves CUDA too resets the context
+    // Without this wait, work during a commitment of gigabytes makes a driver that also serves CUDA reset the context.
+    glFinish();
   }
   if (glGetError() == GL_NO_ERROR) return storage;
   delete_storage(storage);

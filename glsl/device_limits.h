@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the driver of the current context offers.
+// Limits and features of the current context's driver.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -13,19 +13,20 @@ struct DeviceLimits {
   uint64_t largest_texture = 0;  // texels of a texture buffer
   Features features;
   bool sparse = false;      // the driver has sparse storage
-  bool large_pages = true;  // are wanted
+  bool large_pages = true;  // requested by the options
   bool vendor_free = false;
 };
 
 // Throws BackendError for a driver without what every kernel needs.
 DeviceLimits device_limits(const OpenOptions& options);
 
-// The buffers of a context: large ones in the driver's own memory where it is to be had, in sparse storage else.
+// Allocates the buffers of a context. Large ones come from the driver's own memory if it can be imported, else from
+// sparse storage.
 class BufferMemory {
  public:
   explicit BufferMemory(const DeviceLimits& limits) : limits_(limits) {}
 
-  // Throws BackendError with the bytes asked and free.
+  // Throws BackendError with the bytes requested and free.
   BufferStorage allocate(uint64_t bytes);
 
  private:
@@ -34,7 +35,7 @@ class BufferMemory {
   std::unique_ptr<DriverMemory> driver_;
 };
 
-// In words, with what to do.
+// The error message, with the remedy.
 std::string texture_too_long(uint64_t texels, const DeviceLimits& limits);
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits);

@@ -10,7 +10,7 @@
 namespace spherepair {
 namespace {
 
-// What is used of the CUDA driver API, as its reference describes it: the header comes with the toolkit only.
+// The used part of the CUDA driver API, from its reference: the header comes only with the toolkit.
 using Device = int;
 using Handle = unsigned long long;
 using Uuid = std::array<unsigned char, GL_UUID_SIZE_EXT>;
@@ -30,7 +30,7 @@ void* cuda_driver() { return dlopen("libcuda.so.1", RTLD_NOW); }
 
 class CudaDriverMemory final : public DriverMemory {
  public:
-  // False where a function is missing, or the GPU is not one of CUDA's.
+  // Loads the functions. False if one is missing, or CUDA does not have the GPU.
   bool find() {
     void* library = cuda_driver();
     if (!library) return false;
@@ -52,7 +52,7 @@ class CudaDriverMemory final : public DriverMemory {
     if (error != 0) return {};
     int descriptor = -1;
     const bool exported = export_(&descriptor, handle, file_descriptor, 0) == 0;
-    release_(handle);  // the memory lives as long as what is imported
+    release_(handle);  // the memory lives on while an import exists
     if (!exported) return {};
     return import_memory(bytes, descriptor);
   }
@@ -97,7 +97,7 @@ std::optional<BufferStorage> import_memory(uint64_t bytes, int descriptor) {
   glMemoryObjectParameterivEXT(storage.memory, GL_DEDICATED_MEMORY_OBJECT_EXT, &dedicated);
   glImportMemoryFdEXT(storage.memory, bytes, GL_HANDLE_TYPE_OPAQUE_FD_EXT, descriptor);
   if (glGetError() != GL_NO_ERROR) {
-    close(descriptor);  // else it is OpenGL's now
+    close(descriptor);  // a successful import gives it to OpenGL
     delete_storage(storage);
     return {};
   }

@@ -65,17 +65,17 @@ class GlDevice final : public Device {
   BackendInfo info_;
   DeviceCapabilities capabilities_;
   BufferMemory memory_{limits_};
-  BufferHandles bound_{};  // what kernels see now
+  BufferHandles bound_{};  // the buffers that kernels see now
   Staging staging_;
   BufferTextures textures_;
   ParamsRing params_;
   bool batched_ = true;
-  bool overlaps_ = true;  // launches of this step, and what follows it, that have no hazard
-  Hazards hazards_;       // writes and clears forget them
+  bool overlaps_ = true;  // launches without a hazard may overlap, from this step on
+  Hazards hazards_;       // forgotten at writes and clears
   Programs programs_{limits_.features};
   StageTimer timer_;
   GlPipeline pipeline_{context_, timer_};
-  uint64_t draws_seen_ = 0;  // by renderers, which bind buffers of their own
+  uint64_t draws_seen_ = 0;  // draws by renderers, which bind buffers of their own
 };
 
 GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
@@ -87,13 +87,13 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
                    .atomics_64 = limits_.features.atomics_64,
                    .float_atomics = limits_.features.float_atomics,
                    .overlaps_images = true,
-                   .bounds_block = 256};  // all groups then run at once (docs/NOTES/grid.md)
+                   .bounds_block = 256};  // so that all groups run at once (docs/NOTES/grid.md)
   params_.make();
   gl_check("making the buffer of parameters");
 }
 
 GlDevice::~GlDevice() {
-  if (!context_.try_make_current()) return;  // a lost context took everything with it
+  if (!context_.try_make_current()) return;  // a lost context has deleted everything
   pipeline_.forget();
   timer_.forget();
   staging_.forget();
@@ -112,9 +112,9 @@ Memory GlDevice::allocate(uint64_t bytes, Memory replaced) {
   return {owner->buffer, bytes, owner};
 }
 
-// A new buffer may get the name of the one deleted.
+// Forgets the buffer's bindings and textures: a new buffer may get its name.
 void GlDevice::forget(BufferStorage& storage) {
-  if (!context_.try_make_current()) return;  // a lost context took it with it
+  if (!context_.try_make_current()) return;  // a lost context has deleted it
   bound_ = {};
   hazards_.forget();
   textures_.forget();
@@ -139,7 +139,8 @@ void GlDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_t 
   gl_check(fmt::format("reading {} bytes", bytes));
 }
 
-// Binding is dear, and most launches use what the last did.
+// Binds only the range of slots whose buffers changed: binding costs time, and most launches use the last one's
+// buffers.
 void GlDevice::bind(const Launch& launch, const BufferHandles& buffers) {
   const BufferHandles wanted = seen_buffers(launch, buffers);
   size_t first = 0, behind = wanted.size();
@@ -167,7 +168,7 @@ void GlDevice::clear(const Memory& memory, uint64_t bytes) {
   });
 }
 
-// The table of cells may come in several windows.
+// Whether the kernel reads through a texture. The table of cells may be split into several windows.
 bool GlDevice::reads_texture(Kernel kernel, const Params& params, uint64_t texels, std::optional<bool> wanted) const {
   const bool table = kernel == Kernel::collide_grid;
   const bool fits =
@@ -176,7 +177,8 @@ bool GlDevice::reads_texture(Kernel kernel, const Params& params, uint64_t texel
   return wanted.value_or(true) && fits;
 }
 
-// What the launches before have written is seen through the paths that this one reads by, after one wait for all.
+// The barrier bits that make earlier launches' writes visible to this one, for storage blocks and, if it reads one, the
+// texture.
 GLbitfield GlDevice::barriers(const Launch& launch) const {
   if (!batched_) return GL_ALL_BARRIER_BITS;
   return GL_SHADER_STORAGE_BARRIER_BIT | (launch.variant.texture_table ? GL_TEXTURE_FETCH_BARRIER_BIT : 0);

@@ -7,8 +7,8 @@
 
 namespace spherepair {
 
-// The OpenGL device. Throws BackendError: no EGL device, GL below 4.5, a missing extension, software where hardware is
-// required.
+// Opens the OpenGL device. Throws BackendError without an EGL device, with GL below 4.5, without a needed extension, or
+// in software if hardware is required.
 std::unique_ptr<Device> open_gl_device(const OpenOptions& options);
 
 }  // namespace spherepair

@@ -22,7 +22,7 @@ GLuint new_buffer(uint64_t bytes) {
 GlDrawing::GlDrawing(const OpenOptions& options) : context_(options) { resize(0); }
 
 GlDrawing::~GlDrawing() {
-  if (!try_make_current()) return;  // a lost context took everything with it
+  if (!try_make_current()) return;  // a lost context has deleted everything
   glDeleteBuffers(1, &positions_);
   glDeleteBuffers(1, &counts_);
 }
@@ -56,7 +56,7 @@ void GlDrawing::transfer(const SphereArrays& spheres, std::optional<Transfer> wa
   if (way.value_or(Transfer::host) != Transfer::host)
     throw BackendError("only spheres of CUDA and Vulkan can be transferred otherwise than through the host");
   make_current();
-  glFinish();  // the last image has read what is written next
+  glFinish();  // the last image may still read the buffers that are written next
   through_host(address_of<vec4>(spheres.positions), address_of<uint>(spheres.counts), spheres.size);
 }
 
@@ -93,7 +93,7 @@ bool GlDrawing::show_pixels(uint64_t pixels, uvec2 size, uint texture) {
   return true;
 }
 
-// Every timed step waits for all: a context that has nothing to do must cost it nothing.
+// Every timed step waits for all contexts: a context without work must cost it nothing.
 void GlDrawing::finish() {
   if (!std::exchange(busy_, false)) return;
   make_current();

@@ -29,7 +29,7 @@ class GlDrawing : public GraphicsPipeline {
   void make_current() const { context_.make_current(); }
   bool try_make_current() const { return context_.try_make_current(); }
   void through_host(const vec4* positions, const uint* counts, uint64_t size);
-  // What is drawn next.
+  // Sets the buffers that the next draw reads.
   void set_source(GLuint positions, GLuint counts, Transfer taken);
   GLuint positions() const { return positions_; }  // the buffers of through_host()
   GLuint counts() const { return counts_; }
@@ -43,7 +43,7 @@ class GlDrawing : public GraphicsPipeline {
   GLuint drawn_positions_ = 0, drawn_counts_ = 0;
   uint64_t size_ = 0;
   std::optional<Transfer> taken_;
-  bool busy_ = false;  // with an image that was not waited for
+  bool busy_ = false;  // an image was drawn and not waited for
   Preparations prepared_;
 };
 

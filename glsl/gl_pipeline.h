@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenGL's own spheres through its graphics pipeline, and images of its kernels in a window's textures.
+// Draws OpenGL's own spheres through its graphics pipeline, and shows its kernels' images in a window's textures.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class GlPipeline final : public GraphicsPipeline {
   GlPipeline(const Context& context, StageTimer& timer) : context_(context), timer_(timer) {}
 
   void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) override;
-  void transfer(const SphereArrays&, std::optional<Transfer>) override {}  // they are here
+  void transfer(const SphereArrays&, std::optional<Transfer>) override {}  // OpenGL has them already
   std::vector<uint> image() override;
   std::vector<float> depths() override;
   void finish() override;

@@ -13,7 +13,7 @@ const char* shaders_of(DrawMethod method) {
   return method == DrawMethod::impostor ? "impostor" : "mesh";
 }
 
-// One call's count of vertices is a signed 32-bit number.
+// OpenGL takes the count of vertices of a call as a signed 32-bit number.
 uint most_in_one_draw(DrawMethod method) {
   constexpr uint most = 0x7FFFFFFFu;
   return method == DrawMethod::impostor ? most / 6 : most;
@@ -48,7 +48,7 @@ GlRenderer::GlRenderer() {
 }
 
 GlRenderer::~GlRenderer() {
-  if (!context_is_current()) return;  // a lost context took everything with it
+  if (!context_is_current()) return;  // a lost context has deleted everything
   for (const Mesh& mesh : {icosphere_, quadric_}) glDeleteBuffers(1, &mesh.corners);
   for (GLuint image : {colour_, depth_}) glDeleteRenderbuffers(1, &image);
   glDeleteVertexArrays(1, &vertices_);

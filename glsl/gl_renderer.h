@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spheres through the graphics pipeline: the paper's mesh, with a draw a sphere or instanced; GLUT's sphere; points;
-// impostors. It reads positions and contacts from the buffers that it is given: the simulation's own.
+// Draws spheres through the graphics pipeline: the paper's mesh, with a draw a sphere or instanced; GLUT's sphere;
+// points; impostors. It reads positions and contacts from the simulation's own buffers.
 #pragma once
 
 #include <map>
@@ -23,11 +23,11 @@ class GlRenderer {
   void draw(DrawMethod method, const View& view, GLuint positions, GLuint counts, uint n);
   std::vector<uint> image();           // of the last draw
   std::vector<float> depths();         // of its pixels: near / z, 0 for the background
-  void copy_to(GLuint texture) const;  // the same, of its size
+  void copy_to(GLuint texture) const;  // the image of the last draw; the texture has its size
 
   const Preparations& preparations() const { return prepared_; }
 
-  // By all renderers: each binds buffers of its own.
+  // Draws of all renderers so far. Each binds buffers of its own.
   static uint64_t draws() { return draws_; }
 
  private:

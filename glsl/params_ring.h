@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the latest launches, in slices of one buffer of which a launch binds one. Writing them anew by
-// glNamedBufferSubData costs 4 us between two dispatches, binding another slice nothing (NVIDIA H100).
+// Holds the parameters of the latest launches in slices of one buffer; a launch binds its slice. Writing parameters by
+// glNamedBufferSubData costs 4 us between two dispatches; binding another slice costs nothing (NVIDIA H200).
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +14,7 @@ namespace spherepair {
 
 class ParamsRing {
  public:
-  void make();  // in the current context, as all else
+  void make();  // call all of these in one current context
   void bind(const Params& params);
   void forget() { glDeleteBuffers(1, &buffer_); }
 

@@ -42,7 +42,7 @@ struct Stage {
   std::string source;
 };
 
-// Attaches the shader; its log when the driver rejects it.
+// Compiles and attaches the shader. Returns its log if the driver rejects it.
 std::string compile(GLuint program, const Stage& stage) {
   const char* text = stage.source.c_str();
   const GLuint shader = glCreateShader(stage.kind);

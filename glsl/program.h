@@ -14,15 +14,15 @@
 
 namespace spherepair {
 
-// What shaders use where the driver has it.
+// Extensions that shaders use if the driver has them.
 struct Features {
   bool atomics_64 = false;     // GL_NV_shader_atomic_int64
   bool float_atomics = false;  // GL_NV_shader_atomic_float
   bool subgroups = false;      // GL_KHR_shader_subgroup_arithmetic, with subgroups of 32 invocations or more
 };
 
-// A program; one of a compute shader is made from the embedded shader of this name, with the group size, the variant
-// and the motion defined in front of it.
+// An OpenGL program. For a kernel it compiles the embedded shader of that name, after definitions of the group size,
+// the variant and the motion.
 class Program {
  public:
   Program(const std::string& kernel, unsigned block, const Variant& variant, Features features);
@@ -33,14 +33,14 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   GLuint id() const { return id_; }
-  void set_view(const View& view) const;  // where it takes one
-  void set_steps(unsigned steps) const;   // the same, of steps_done
+  void set_view(const View& view) const;  // no effect if the program takes none
+  void set_steps(unsigned steps) const;   // sets steps_done; no effect if the program takes none
 
  private:
   GLuint id_;
   bool takes_view_ = glGetUniformLocation(id_, "view_words[0]") >= 0;
   bool takes_steps_ = glGetUniformLocation(id_, "steps_done") >= 0;
-  mutable View view_{};  // that it has
+  mutable View view_{};  // its last value
 };
 
 // Compute programs, each compiled on its first use.
@@ -61,7 +61,7 @@ class Programs {
 // A program of one compute shader; `what` names it where the driver rejects it.
 GLuint compute_program(const std::string& source, const std::string& what);
 
-// What the driver takes for each kernel, for groups of 128 and the first variant.
+// The driver's time to compile each kernel, for groups of 128 and the first variant.
 std::vector<StageTime> compile_times(Features features);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The device's own clock around stages, in the current context; nothing at all while it is off.
+// Times stages by the device's clock, in the current context. Takes no times while it is off.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -15,7 +15,7 @@ class StageTimer {
  public:
   void turn(bool on) { on_ = on; }
 
-  // Runs the work, whose time is then that of a stage of this name.
+  // Runs the work and times it as a stage of this name.
   template <typename Work>
   void time(const char* name, Work work) {
     if (!on_) return work();
@@ -27,7 +27,7 @@ class StageTimer {
     stages_.push_back(stage);
   }
 
-  // Since the last call, in order; waits for the work.
+  // The times since the last call, in order. Waits for the work.
   std::vector<StageTime> take() {
     std::vector<StageTime> times;
     for (const Stage& stage : stages_) {

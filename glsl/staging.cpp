@@ -15,8 +15,9 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t piece_bytes = 4 << 20;
-constexpr uint64_t most_words = 64 << 10;  // bytes that a kernel reads
-constexpr uint64_t alignment = 256;        // of a range of a storage buffer: the most that GL lets a driver ask for
+constexpr uint64_t most_words = 64 << 10;  // most bytes that the kernel reads
+constexpr uint64_t alignment = 256;        // of a range of a storage buffer, in bytes: the largest that GL lets a
+                                           // driver require
 constexpr uint64_t group = 128;
 constexpr const char* reader = R"(#version 450
 layout(local_size_x = 128) in;
@@ -37,7 +38,7 @@ void wait(GLsync& transferred) {
   transferred = nullptr;
 }
 
-// Eight threads reach what the bus takes.
+// Copies with eight threads, which saturate the bus.
 void copy(char* to, const char* from, uint64_t bytes) {
   constexpr uint64_t part = 64 << 10;
 #pragma omp parallel for num_threads(std::min(8, omp_get_max_threads())) schedule(static)

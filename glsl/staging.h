@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Transfers between host arrays and buffers. Large ones go through two small buffers that stay mapped: threads copy one
-// of them while the GPU transfers the other; NVIDIA's glGetNamedBufferSubData takes four times as long. A few words are
-// read by a kernel that copies them to mapped memory: behind a dispatch that takes 20 us on an H100, against 107 by
+// of them while the GPU transfers the other; NVIDIA's glGetNamedBufferSubData takes four times as long. A kernel reads
+// a few words by copying them to mapped memory: after a dispatch that takes 20 us on an H100, against 107 by
 // glGetNamedBufferSubData and 124 by glCopyNamedBufferSubData.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace spherepair {
 
 class Staging {
  public:
-  void turn(bool on) { on_ = on; }  // off, as for software: everything by OpenGL's own functions
+  void turn(bool on) { on_ = on; }  // off, as in software: all transfers use OpenGL's own functions
   void write(GLuint buffer, const void* data, uint64_t offset, uint64_t bytes);
   // Waits for the GPU. May leave other storage buffers bound at 0 and 1, and another program in use.
   void read(GLuint buffer, void* data, uint64_t offset, uint64_t bytes);

@@ -10,17 +10,18 @@ namespace spherepair {
 TableWindows::TableWindows(const Params& p, uint64_t longest)
     : words_(uint64_t(p.grid.cell_slots) + 2), longest_(longest), step_(words_) {
   if (words_ <= longest) return;
-  // A sphere reads where its rows of cells begin and end, up to a cell behind that right of it in the next layer's row.
+  // A sphere reads the ends of its rows of cells. The farthest lies one cell beyond its right neighbour in the next
+  // layer's row.
   const uint64_t ahead = uint64_t(p.grid.cells_x) * p.grid.cells_y + p.grid.cells_x + 2;
-  // Parts begin at multiples of 256 bytes, the most that GL lets a driver ask for. None where most of each part would
-  // be there for neighbours.
+  // Parts begin at multiples of 256 bytes, the largest alignment that GL lets a driver require. No parts if most of
+  // each would serve neighbours only.
   constexpr uint64_t alignment = 256 / sizeof(uint);
   step_ = 2 * ahead <= longest ? (longest - ahead) / alignment * alignment : 0;
 }
 
 uint64_t TableWindows::count() const { return step_ ? (cells() + step_ - 1) / step_ : 0; }
 
-// Nothing that one dispatch writes is read by another, so no barrier stands between them.
+// No dispatch reads what another writes, so there is no barrier between them.
 void TableWindows::dispatch(uint64_t groups, GLuint table, GLuint program, BufferTextures& textures) const {
   for (uint64_t first = 0; first < cells(); first += step_) {
     const uint64_t behind = std::min(first + step_, cells()), texels = std::min(longest_, words_ - first);

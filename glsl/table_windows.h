@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of cells where it is longer than a texture buffer may be: parts of it, each for the spheres of its own
-// cells and long enough for their neighbourhoods, so that one dispatch a part reads one texture each.
+// Splits a table of cells that is longer than a texture buffer may be. Each part has the spheres of its own cells and
+// is long enough for their neighbourhoods, so that a dispatch a part reads one texture.
 #pragma once
 
 #include "common/shared/layout.h"
@@ -10,13 +10,13 @@ namespace spherepair {
 
 class TableWindows {
  public:
-  // Of a dense grid, for textures of at most so many words.
+  // For a dense grid and textures of at most `longest` words.
   TableWindows(const Params& p, uint64_t longest);
 
   uint64_t words() const { return words_; }  // of the table: a word a cell, the end of the last, and one more
-  uint64_t count() const;                    // 1: it is one texture; 0: a neighbourhood does not fit into one
+  uint64_t count() const;                    // of parts; 1: one texture; 0: a neighbourhood does not fit into a texture
 
-  // The search of all cells by so many groups or a few more, through the program in use: collide_grid of this variant.
+  // Searches all cells with `groups` groups or a few more. The program in use must be collide_grid of this variant.
   void dispatch(uint64_t groups, GLuint table, GLuint program, BufferTextures& textures) const;
 
  private:
