@@ -9,10 +9,11 @@
 namespace spherepair {
 namespace {
 
-// Few at first, so that the device does not stand still while the host records; a submission costs the host 6 to 12 us.
+// Dispatches of a submission. Few at first, so that the device does not idle while the host records; a submission costs
+// the host 6 to 12 us.
 constexpr uint first_dispatches = 4, most_dispatches = 256;
 constexpr size_t most_under_way = 64;
-// A wait that blocks returns 30 to 50 us after the device is done; so the host polls the fence first, for this long.
+// How long the host polls a fence before it blocks: a blocking wait returns 30 to 50 us after the device is done.
 constexpr std::chrono::milliseconds longest_poll{1};
 
 struct Scope {
@@ -57,7 +58,7 @@ CommandStream::CommandStream(const LogicalDevice& device)
 }
 
 CommandStream::~CommandStream() {
-  vk_.DeviceWaitIdle(device_.handle());  // of a lost device, too
+  vk_.DeviceWaitIdle(device_.handle());  // for a lost device, too
   for (const Submission& each : under_way_) vk_.DestroyFence(device_.handle(), each.fence, nullptr);
   for (VkFence fence : fences_) vk_.DestroyFence(device_.handle(), fence, nullptr);
   vk_.DestroyCommandPool(device_.handle(), pool_, nullptr);
@@ -149,7 +150,7 @@ void CommandStream::submit() {
   ++next_;
 }
 
-// Not in software, where the device needs the host's threads.
+// Does not poll in software, where the device needs the host's threads.
 void CommandStream::poll(VkFence fence) const {
   const auto clock = std::chrono::steady_clock::now;
   const auto start = clock();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Commands in the order in which the device runs them. They are recorded into command buffers, which go out when they
-// are long enough, or when something is waited for.
+// Collects commands in the order in which the device runs them. Command buffers are submitted when they are long
+// enough, or when the host waits for one of them.
 #pragma once
 
 #include <deque>
@@ -17,27 +17,27 @@ class CommandStream {
   CommandStream(const CommandStream&) = delete;
   CommandStream& operator=(const CommandStream&) = delete;
 
-  // Counts submissions from 1 on: the number of the one that what is recorded now will be part of.
+  // The number of the next submission, counted from 1: it will hold the commands that are recorded now.
   uint64_t number() const { return next_; }
 
-  VkCommandBuffer open();  // to record into
-  void recorded();         // a dispatch, a copy or the like; may submit
-  void submit();           // what was recorded, if anything was
+  VkCommandBuffer open();  // the command buffer to record into
+  void recorded();         // call this after each dispatch, copy or similar; may submit
+  void submit();           // submits all recorded commands; none: does nothing
   void wait(uint64_t number);
   void wait() { wait(next_); }
 
-  // A command buffer of the caller's, which may go out many times.
+  // Makes a command buffer that the caller records and may submit many times.
   VkCommandBuffer make();
   void begin(VkCommandBuffer commands, VkCommandBufferUsageFlags flags) const;
   void end(VkCommandBuffer commands) const;
   void append(VkCommandBuffer commands, uint dispatches);
-  void free(VkCommandBuffer commands);  // must not be under way
+  void free(VkCommandBuffer commands);  // the device must have finished it
 
  private:
   struct Submission {
     uint64_t number;
     VkFence fence;
-    std::vector<VkCommandBuffer> commands;  // to be recorded anew afterwards
+    std::vector<VkCommandBuffer> commands;  // can be recorded anew once the device has finished them
   };
   void close();
   void count(uint dispatches);
@@ -49,18 +49,18 @@ class CommandStream {
   const Calls& vk_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer open_ = VK_NULL_HANDLE;
-  std::vector<VkCommandBuffer> closed_;  // to go out next, in this order
-  std::vector<VkCommandBuffer> ours_;    // of these, those to be recorded anew
+  std::vector<VkCommandBuffer> closed_;  // to submit next, in this order
+  std::vector<VkCommandBuffer> ours_;    // those of closed_ that can be recorded anew afterwards
   std::vector<VkCommandBuffer> idle_;
   std::vector<VkFence> fences_;  // unsignalled
   std::deque<Submission> under_way_;
   uint64_t next_ = 1;
-  uint waiting_ = 0;  // dispatches that have not gone out
-  uint most_;         // of them, before they do
+  uint waiting_ = 0;  // dispatches that are not submitted yet
+  uint most_;         // the number of them at which they are submitted
 };
 
-// Barriers: what kernels have written is seen by those behind; by a transfer behind; what a transfer has written, by
-// all behind and by the host.
+// Barriers. kernel_barrier: later kernels see earlier kernels' writes. barrier_before_transfer: transfers see all
+// earlier writes. barrier_behind_transfer: kernels, transfers and the host see what transfers wrote.
 void kernel_barrier(const Calls& vk, VkCommandBuffer commands);
 void barrier_before_transfer(const Calls& vk, VkCommandBuffer commands);
 void barrier_behind_transfer(const Calls& vk, VkCommandBuffer commands);

@@ -16,7 +16,7 @@ bool pool_is_full(VkResult result) {
 
 }  // namespace
 
-// What is written into a set; the writes point to the rest.
+// The descriptors of a set; the writes point to the other members.
 struct DescriptorSets::Contents {
   std::vector<VkDescriptorBufferInfo> storage;  // in the order of the pipeline's slots
   VkDescriptorBufferInfo uniform;

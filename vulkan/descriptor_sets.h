@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Descriptor sets: which buffers a dispatch of a pipeline sees. Each is made once.
+// Descriptor sets: the buffers that a dispatch of a pipeline sees. Each set is made once.
 #pragma once
 
 #include <map>
@@ -19,18 +19,19 @@ struct Texels {
 
 class DescriptorSets {
  public:
-  // uniforms: that the dynamic offsets of a dispatch refer to.
+  // uniforms: the buffer that the dynamic offsets of a dispatch refer to.
   DescriptorSets(const LogicalDevice& device, const BufferTable& table, VkBuffer uniforms)
       : device_(device), table_(table), uniforms_(uniforms) {}
   ~DescriptorSets() { forget(); }
   DescriptorSets(const DescriptorSets&) = delete;
   DescriptorSets& operator=(const DescriptorSets&) = delete;
 
-  // `unused` stands in the slots without a buffer: kernels declare what some launches leave alone.
+  // Finds or makes the set. `unused` fills slots without a buffer: kernels declare buffers that some launches do not
+  // use.
   VkDescriptorSet get(const Pipeline& pipeline, const BufferHandles& buffers, const Texels& texels, VkBuffer unused);
 
   size_t made() const { return made_; }
-  void forget();  // all, of which no command may be under way
+  void forget();  // forgets all sets; the device must have finished all commands that use them
 
  private:
   struct Set {

@@ -19,7 +19,7 @@ Texels texels_of(const Call& call) {
   return {call.buffers[SLOT_CELL], call.launch.texels * sizeof(uint), VK_FORMAT_R32_UINT};
 }
 
-// The steps done are a loose uniform: within the block they would make a new slice for every step.
+// The number of steps done is a loose uniform: in the block it would make a new slice for every step.
 uint32_t params_offset(const Call& call, UniformSlices& slices) {
   Params params = call.params;
   params.motion.steps_done = 0;
@@ -54,7 +54,7 @@ struct Launches::Recorded {
   ~Recorded() {
     try {
       stream.wait(number);
-    } catch (const BackendError&) {  // of a device that has failed, which has said so before
+    } catch (const BackendError&) {  // the device has failed, and an earlier call has said so
     }
     stream.free(commands);
   }
@@ -65,7 +65,7 @@ struct Launches::Recorded {
   Bindings bindings;
   VkCommandBuffer commands;
   uint dispatches = 0;
-  uint64_t number = 0;  // of the submission that replays it last
+  uint64_t number = 0;  // of the last submission that replays it
 };
 
 Launches::Launches(const LogicalDevice& device, const BufferTable& table, CommandStream& stream, StageQueries& stages)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Launches as dispatches, one by one in the stream of commands, or recorded as a step's command buffer that is
+// Turns launches into dispatches: one by one in the stream of commands, or recorded as a step's command buffer that is
 // submitted again and again.
 #pragma once
 
@@ -14,21 +14,21 @@ class Launches final : public StepApi {
  public:
   Launches(const LogicalDevice& device, const BufferTable& table, CommandStream& stream, StageQueries& stages);
 
-  // Call::early: no barrier stands before it.
+  // With Call::early no barrier precedes the dispatch.
   void launch_call(const Call& call) override;
   Recording record(const std::vector<Call>& calls, uint steps) override;
   void replay(const Recording& recording) override;
 
-  void prepare(const Call& call) { pipeline_of(call); }  // compiles its kernel where that is new
+  void prepare(const Call& call) { pipeline_of(call); }  // compiles its kernel on the first call
   uint64_t compiled() const { return pipelines_.compiled(); }
 
-  void make_room();       // for another launch and its time; waits where there is none
-  void forget_buffers();  // of which no command may be under way
+  void make_room();       // for another launch and its timestamps; if there is none, waits for the device
+  void forget_buffers();  // the device must have finished all commands that use them
 
  private:
   struct Dispatch;
   struct Recorded;
-  // What dispatches see, until it is forgotten as a whole.
+  // Parameters and descriptor sets of dispatches, forgotten together.
   struct Bindings {
     Bindings(const LogicalDevice& device, const BufferTable& table, uint32_t slices)
         : slices(device, slices), sets(device, table, slices_buffer()) {}
@@ -45,7 +45,7 @@ class Launches final : public StepApi {
   const BufferTable& table_;
   CommandStream& stream_;
   StageQueries& stages_;
-  DeviceBuffer unused_;  // in slots without a buffer
+  DeviceBuffer unused_;  // fills slots without a buffer
   Pipelines pipelines_;
   Bindings bindings_;
 };

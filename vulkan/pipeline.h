@@ -13,7 +13,7 @@ namespace spherepair {
 
 class Pipeline {
  public:
-  // Throws BackendError where glslang or the driver rejects the kernel, or it binds more buffers than the device can.
+  // Throws BackendError if glslang or the driver rejects the kernel, or if it binds more buffers than the device can.
   Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant);
   ~Pipeline();
   Pipeline(const Pipeline&) = delete;
@@ -28,7 +28,7 @@ class Pipeline {
   bool takes(uint binding) const { return module_.bindings().contains(binding); }
   bool reads_texels() const { return texels_; }
 
-  // Bytes before them in the block of loose uniforms; -1: it takes none.
+  // Offset in bytes in the block of loose uniforms; -1: the kernel takes none.
   int steps_offset() const { return steps_offset_; }
   int view_offset() const { return view_offset_; }
 

@@ -14,7 +14,7 @@ StageQueries::StageQueries(const LogicalDevice& device) : device_(device) {
 
 StageQueries::~StageQueries() { device_.calls().DestroyQueryPool(device_.handle(), pool_, nullptr); }
 
-// Behind all that was recorded before: stages that overlap are timed from end to end.
+// Records a timestamp that is taken after all earlier commands, so that stages that overlap are timed from end to end.
 void StageQueries::stamp(VkCommandBuffer commands, uint32_t query) const {
   device_.calls().CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_, query);
 }

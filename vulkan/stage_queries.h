@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Times stages by the device's timestamps. Records none while it is off.
+// Times stages by the device's timestamps. Takes no times while it is off.
 #pragma once
 
 #include "vulkan/command_stream.h"
@@ -15,9 +15,9 @@ class StageQueries {
 
   void turn(bool on) { on_ = on && device_.limits().timestamp_bits != 0; }
   bool on() const { return on_; }
-  bool full() const { return stages_.size() == most_stages; }  // collect before the next
+  bool full() const { return stages_.size() == most_stages; }  // call collect() before the next stage
 
-  // Records the work, whose time is then that of a stage of this name.
+  // Records the work and times it as a stage of this name.
   template <typename Work>
   void time(const char* name, VkCommandBuffer commands, Work work) {
     if (!on_) return work();
@@ -29,8 +29,8 @@ class StageQueries {
     stamp(commands, first + 1);
   }
 
-  void collect();                 // of stages that the device is done with
-  std::vector<StageTime> take();  // that were collected, in order
+  void collect();                 // reads the times of all stages, which the device must have finished
+  std::vector<StageTime> take();  // the collected times, in order
 
  private:
   static constexpr size_t most_stages = 2048;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parameters of launches in slices of one mapped buffer, of which a dispatch binds one by its offset. To write them by
-// a command costs 11 us a launch (NVIDIA H100).
+// Holds parameters of launches in slices of one mapped buffer; a dispatch binds one by its offset. A command that
+// writes them would cost 11 us a launch (NVIDIA H100).
 #pragma once
 
 #include <cstring>
@@ -19,7 +19,7 @@ class UniformSlices {
   VkBuffer buffer() const { return buffer_.handle(); }
   uint32_t left() const { return slices_ - used_; }
 
-  // The offset of a slice with these bytes: one of the last that were written where they are the same.
+  // The offset of a slice with these bytes. Reuses one of the last four if its bytes are the same.
   uint32_t offset_of(const void* data, size_t bytes) {
     for (const Written& one : recent_)
       if (one.bytes == bytes && std::memcmp(one.data, data, bytes) == 0) return one.offset;
@@ -31,7 +31,7 @@ class UniformSlices {
     return written.offset;
   }
 
-  void forget() {  // all, of which no command may be under way
+  void forget() {  // all slices; the device must have finished the commands that read them
     used_ = 0;
     recent_ = {};
   }

@@ -51,9 +51,9 @@ class VulkanDevice final : public Device {
   StageQueries stages_{device_};
   Launches launches_{device_, table_, stream_, stages_};
   StepRecorder recorder_{launches_, work, prepared};
-  Hazards hazards_;       // writes and clears forget them
+  Hazards hazards_;       // forgotten at writes and clears
   bool batched_ = true;   // else the host waits for each launch of this step
-  bool overlaps_ = true;  // launches of this step, and what follows it, that have no hazard
+  bool overlaps_ = true;  // launches without a hazard may overlap, from this step on
 };
 
 VulkanDevice::VulkanDevice(const OpenOptions& options) : device_(options) {}
@@ -67,11 +67,11 @@ Memory VulkanDevice::allocate(uint64_t bytes, Memory replaced) {
   return {handle, bytes, std::shared_ptr<void>(this, [this, handle](void*) { forget(handle); })};
 }
 
-// Commands under way may use the buffer, and descriptor sets may refer to it.
+// Waits first: pending commands may use the buffer, and descriptor sets may refer to it.
 void VulkanDevice::forget(uint64_t handle) {
   try {
     wait();
-  } catch (const BackendError&) {  // of a device that has failed, which has said so before
+  } catch (const BackendError&) {  // the device has failed, and an earlier call has said so
   }
   launches_.forget_buffers();
   table_.remove(handle);
@@ -135,7 +135,7 @@ void VulkanDevice::launch(const Launch& launch, const Params& params, const Buff
   call.early = hazards_.overlaps(launch, buffers, !batched_ || !overlaps_);
   work.overlapped += call.early;
   if (recorder_.collecting()) return recorder_.add(call);
-  recorder_.flush();  // steps that are held back
+  recorder_.flush();  // launches the collected steps
   ++work.launches;
   launches_.launch_call(call);
   if (!batched_) wait(), ++work.waits;

@@ -7,17 +7,17 @@
 
 namespace spherepair {
 
-// The Vulkan device that options.vulkan_device names, else the first. Throws BackendError: no loader, no driver, no
-// device with what kernels need, software where hardware is required.
+// Opens the Vulkan device that options.vulkan_device names, else the first. Throws BackendError without a loader, a
+// driver or a device that kernels can run on, or in software if hardware is required.
 std::unique_ptr<Device> open_vulkan_device(const OpenOptions& options);
 
 // A buffer of a Vulkan device that another API can import. Must not outlive the device.
 class ExportedMemory {
  public:
   virtual ~ExportedMemory() = default;
-  virtual uint64_t bytes() const = 0;      // of the allocation, at whose start the buffer lies
+  virtual uint64_t bytes() const = 0;      // of the allocation; the buffer lies at its start
   virtual int descriptor() const = 0;      // a new file descriptor, which the importer closes
-  virtual void copy(uint64_t buffer) = 0;  // fills it from a buffer of the device, and waits
+  virtual void copy(uint64_t buffer) = 0;  // copies a buffer of the device into it, and waits
 };
 
 // For devices from open_vulkan_device.

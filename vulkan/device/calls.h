@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vulkan's functions. The loader is opened when it is first needed, so that the program starts where there is none.
+// Vulkan's functions. The loader is opened on first use, so that the program also starts without one.
 #pragma once
 
 #define VK_NO_PROTOTYPES
@@ -47,7 +47,7 @@ struct Calls {
   void load_of(VkDevice device);
 };
 
-// A struct of Vulkan's, all else in it 0.
+// A Vulkan struct of this type, its other members 0.
 template <typename Struct>
 Struct typed(VkStructureType type) {
   Struct made{};
@@ -55,7 +55,7 @@ Struct typed(VkStructureType type) {
   return made;
 }
 
-// Throws BackendError unless the call succeeded; `what` was done ("allocating 64 bytes").
+// Throws BackendError unless the call succeeded; `what` names the action ("allocating 64 bytes").
 void vulkan_check(VkResult result, const std::string& what);
 
 }  // namespace spherepair

@@ -39,7 +39,7 @@ VkBufferUsageFlags usage(Place place) {
 
 struct MemoryState {
   VkPhysicalDeviceMemoryProperties properties;
-  std::vector<VkDeviceSize> free;  // by heap; none where the driver does not say
+  std::vector<VkDeviceSize> free;  // bytes by heap; empty if the driver does not report them
 };
 
 MemoryState memory_of(const LogicalDevice& device) {

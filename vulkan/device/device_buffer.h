@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers, each with memory of its own.
+// Buffers, each with its own memory.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,16 @@
 namespace spherepair {
 
 enum class Place {
-  device,      // of kernels alone
-  uploads,     // the host writes, the device reads a few times; mapped, as all below
+  device,      // only kernels use it
+  uploads,     // the host writes, the device reads a few times; mapped, as the next two
   downloads,   // the device writes, the host reads
-  parameters,  // the host writes, kernels read: in the device's memory where the host reaches that
-  exported     // of the device, to be imported by another API; not mapped
+  parameters,  // the host writes, kernels read: in the device's memory if the host can map that
+  exported     // device memory that another API imports; not mapped
 };
 
 class DeviceBuffer {
  public:
-  // Throws BackendError with the bytes asked and free.
+  // Throws BackendError with the bytes requested and free.
   DeviceBuffer(const LogicalDevice& device, uint64_t bytes, Place place);
   ~DeviceBuffer() { release(); }
   DeviceBuffer(const DeviceBuffer&) = delete;
@@ -42,8 +42,8 @@ class DeviceBuffer {
   char* mapped_ = nullptr;
 };
 
-// Buffers of kernels by handles that are never used again, as Vulkan's own may be: what was recorded with a buffer that
-// is gone is never taken for what another needs.
+// Buffers of kernels by handles that are never reused. Vulkan may reuse its own handles, so that a recording with a
+// deleted buffer would be mistaken for one with a new buffer.
 class BufferTable {
  public:
   explicit BufferTable(const LogicalDevice& device) : device_(device) {}

@@ -10,9 +10,9 @@ namespace {
 
 constexpr uint32_t nvidia = 0x10DE;
 constexpr uint tensor_block = 256;
-constexpr uint32_t shared_bytes = 32 << 10;  // of the kernel that needs most, as OpenGL 4.5 has them at least
+constexpr uint32_t shared_bytes = 32 << 10;  // of the kernel that needs most: the least that OpenGL 4.5 guarantees
 
-// Structs of a query that the device may not know are left out.
+// Adds a struct to a query, unless the device may not know it.
 template <typename Struct>
 void chain(void*& last, Struct& next, bool known) {
   if (!known) return;
@@ -97,8 +97,8 @@ FloatControls float_controls(const VkPhysicalDeviceFloatControlsProperties& said
           .denormals_by_width = by_width(said.denormBehaviorIndependence)};
 }
 
-// What group_sum.glsl takes for granted: subgroups of 32 or more whose invocations are consecutive, which no query
-// tells: NVIDIA's are, others' go through shared memory.
+// Whether subgroups are as group_sum.glsl assumes: 32 or more invocations, which are consecutive. No query tells
+// whether they are: NVIDIA's are; other GPUs use shared memory.
 bool has_subgroups(const VkPhysicalDeviceSubgroupProperties& said, const VkPhysicalDeviceProperties& properties) {
   return properties.vendorID == nvidia && said.subgroupSize >= 32 &&
          (said.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
@@ -226,7 +226,7 @@ DeviceCapabilities capabilities_of(const DeviceLimits& limits) {
           .atomics_64 = limits.atomics_64,
           .float_atomics = limits.float_atomics,
           .overlaps_images = true,
-          .bounds_block = 256,  // as OpenGL's
+          .bounds_block = 256,  // as in OpenGL
           .tensor_groups = limits.tensor_groups,
           .tensor_block = tensor_block};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a device offers of that which kernels and the host need.
+// Limits and features of a device that matter to kernels and the host.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -26,7 +26,7 @@ struct DeviceLimits {
 // Throws BackendError for a device without what every kernel needs.
 DeviceLimits device_limits(const Calls& vk, VkPhysicalDevice device, const OpenOptions& options);
 
-// What the logical device is made with; `features` points to the other structs, so that this is not copied.
+// The features that the logical device enables. `features` points to the other members, so there is no copying.
 struct WantedFeatures {
   explicit WantedFeatures(const DeviceLimits& limits);
   WantedFeatures(const WantedFeatures&) = delete;

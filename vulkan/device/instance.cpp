@@ -45,7 +45,7 @@ Instance::Instance() {
                                    api_version_text(version)));
   auto application = typed<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
   application.pApplicationName = "spherepair";
-  application.apiVersion = VK_API_VERSION_1_2;  // the most that is used
+  application.apiVersion = VK_API_VERSION_1_2;  // the newest version in use
   auto info = typed<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
   info.pApplicationInfo = &application;
   const VkResult result = calls.CreateInstance(&info, nullptr, &instance_);

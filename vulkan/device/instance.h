@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vulkan itself, and the device that is taken of those that it reaches.
+// The Vulkan instance, and the choice of a device.
 #pragma once
 
 #include <set>
@@ -17,8 +17,8 @@ class Instance {
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
-  // The one that options.vulkan_device names, else the first: GPUs before software, which alone counts where no GPU is
-  // allowed. Throws BackendError with those that are there.
+  // The device that options.vulkan_device names, else the first: GPUs before software, or software alone if GPUs are
+  // not allowed. Throws BackendError that lists the devices.
   VkPhysicalDevice choose(const OpenOptions& options) const;
 
   Calls calls;

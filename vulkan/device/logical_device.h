@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The device and its one queue, opened.
+// Opens the device and its one queue.
 #pragma once
 
 #include "vulkan/device/device_limits.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GLSL text to SPIR-V by glslang, in this process: the text that OpenGL compiles, too. What the two APIs bind in
-// another way is arranged here: Vulkan has one numbering for all kinds of bindings, and no uniforms outside of blocks.
+// Compiles GLSL text, the same that OpenGL compiles, to SPIR-V by glslang in this process. Bindings differ from
+// OpenGL's: Vulkan has one numbering for all kinds of bindings, and no uniforms outside of blocks.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace spherepair {
 
-// Bindings in the one descriptor set of a kernel. Storage buffers have their slots; three slots that kernels see as one
-// array are one binding with three descriptors.
+// Bindings in the one descriptor set of a kernel. A storage buffer has the number of its slot; three slots that kernels
+// see as one array are one binding with three descriptors.
 constexpr uint params_binding = SLOT_TOTAL + SLOT_PARAMS;
 constexpr uint loose_binding = params_binding + 1;  // the block in which glslang gathers uniforms outside of blocks
 constexpr uint first_texture_binding = loose_binding + 1;
 
-// The module of a compute shader for Vulkan 1.1. Throws BackendError with glslang's messages; `what` names the kernel.
+// Compiles a compute shader for Vulkan 1.1. Throws BackendError with glslang's messages; `what` names the kernel.
 SpirvModule compile_to_spirv(const std::string& text, const std::string& what);
 
 }  // namespace spherepair

@@ -70,7 +70,7 @@ constexpr Mode modes[] = {{&FloatModes::keep_denormals, 4459, 4464},
                           {&FloatModes::keep_signed_zeros, 4461, 4466},
                           {&FloatModes::round_to_even, 4462, 4467}};
 
-// Where the widths may not differ, what one of them lacks is declared for none.
+// If both widths must have the same modes, keeps only those that both have.
 FloatControls with_equal_widths(FloatControls offered, bool uses_64) {
   if (!uses_64) return offered;
   const auto equalise = [&](bool FloatModes::*mode, bool may_differ) {
@@ -179,7 +179,7 @@ void SpirvModule::read_uniforms_as_storage() {
     if (binding.kind == SpirvBinding::Kind::uniform) binding.kind = SpirvBinding::Kind::uniform_as_storage;
 }
 
-// Capabilities stand first, then extensions; modes behind the entry point.
+// Capabilities come first in a module, then extensions; modes follow the entry point.
 void SpirvModule::declare(const FloatControls& offered) {
   size_t behind_capabilities = header_words, behind_entry = 0;
   uint32_t entry = 0;
@@ -206,7 +206,7 @@ void SpirvModule::declare(const FloatControls& offered) {
 }
 
 void SpirvModule::unroll_loops() {
-  constexpr size_t control = 3;  // behind the blocks at its end
+  constexpr size_t control = 3;  // the word after its two blocks
   for_each_instruction(words_, [&](const Instruction& one) {
     if (one.op == op_loop_merge && words_[one.at + control] == 0) words_[one.at + control] = loop_unrolled;
   });

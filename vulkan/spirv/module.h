@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a SPIR-V module of one compute shader binds, read from its words, and how its float operations round.
+// Reads the bindings of a SPIR-V module of one compute shader, and sets how its float operations round.
 #pragma once
 
 #include <cstdint>
@@ -30,20 +30,20 @@ class SpirvModule {
   explicit SpirvModule(std::vector<uint32_t> words);
 
   const std::vector<uint32_t>& words() const { return words_; }
-  const std::map<uint32_t, SpirvBinding>& bindings() const { return bindings_; }  // by number, of set 0
+  const std::map<uint32_t, SpirvBinding>& bindings() const { return bindings_; }  // by binding number, in set 0
   uint32_t storage_buffers() const;                                               // descriptors in all
 
-  // Of a member of the uniform block at this binding, the bytes before it; -1: it has none of this name.
+  // Offset in bytes of a member of the uniform block at this binding; -1: no member has this name.
   int offset_of(uint32_t binding, const std::string& member) const;
 
-  // Uniform blocks become storage buffers, which are bound where those were.
+  // Turns uniform blocks into storage buffers with the same bindings.
   void read_uniforms_as_storage();
 
   // Sets the unroll hint on all loops. NVIDIA's driver unrolls the loops of GLSL by itself, but those of SPIR-V only
   // with the hint. Without it a search of 10^7 spheres in random order takes 1.08 times as long (NVIDIA H200).
   void unroll_loops();
 
-  // Declares the execution modes that are offered for the widths that the module uses.
+  // Declares the offered execution modes for the widths that the module uses.
   void declare(const FloatControls& offered);
 
  private:
