@@ -55,7 +55,7 @@ struct RegisteredBuffer {
   cudaGraphicsResource_t resource = nullptr;
 };
 
-// OpenGL's buffers, mapped for CUDA as long as this lives.
+// OpenGL's buffers, mapped for CUDA while this object lives.
 struct Mapping {
   explicit Mapping(std::array<cudaGraphicsResource_t, 2>& resources) : resources(resources) {
     cuda_check(cudaGraphicsMapResources(2, resources.data(), nullptr), "mapping OpenGL's buffers");
@@ -95,7 +95,7 @@ class CudaToGl final : public GlDrawing {
     const uint64_t bytes = uint64_t(size.x) * size.y * sizeof(uint);
     if (image_ && image_->bytes() < bytes) image_.reset();
     make_once(image_, bytes);
-    glFinish();  // the last image still reads what is written next
+    glFinish();  // the last image may still read the buffers that are written next
     copy_on_device(image_->address(), address_of<uint>(pixels), bytes);
     cuda_check(cudaStreamSynchronize(nullptr), "waiting for the image");
     texture_from_buffer(texture, size, image_->buffer());
@@ -127,7 +127,7 @@ class CudaToGl final : public GlDrawing {
     if (way == Transfer::host) return through_pinned(spheres);
     if (way == Transfer::registered) return through_mapping(spheres);
     for (int k = 0; k < 2; ++k) make_once(imported_[k], arrays(spheres)[k].bytes);
-    glFinish();  // the last image still reads what is written next
+    glFinish();  // the last image may still read the buffers that are written next
     for (int k = 0; k < 2; ++k)
       copy_on_device(imported_[k]->address(), arrays(spheres)[k].source, arrays(spheres)[k].bytes);
     cuda_check(cudaStreamSynchronize(nullptr), "waiting for what is transferred");
@@ -141,7 +141,7 @@ class CudaToGl final : public GlDrawing {
       cuda_check(cudaMemcpy(pinned_[k]->data, array.source, array.bytes, cudaMemcpyDeviceToHost),
                  "reading what is transferred");
     }
-    glFinish();  // the last image has read what is written next
+    glFinish();  // the last image may still read the buffers that are written next
     through_host(static_cast<vec4*>(pinned_[0]->data), static_cast<uint*>(pinned_[1]->data), spheres.size);
   }
 
@@ -162,12 +162,12 @@ class CudaToGl final : public GlDrawing {
     set_source(positions(), counts(), Transfer::registered);
   }
 
-  uint64_t size_ = 0;  // spheres of the memory below
+  uint64_t size_ = 0;  // the number of spheres that the memory below holds
   std::array<std::unique_ptr<PinnedMemory>, 2> pinned_;
   std::array<std::unique_ptr<RegisteredBuffer>, 2> registered_;
   std::array<std::unique_ptr<SharedMemory>, 2> imported_;
   std::unique_ptr<SharedMemory> image_;
-  Transfer fastest_ = Transfer::imported;  // of those that the driver has
+  Transfer fastest_ = Transfer::imported;  // way that has not failed so far
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace spherepair {
 
-// OpenGL draws the spheres of the current CUDA device. Throws BackendError where options.gl_device is another GPU, or
-// OpenGL is in software.
+// Opens OpenGL to draw the spheres of the current CUDA device. Throws BackendError if options.gl_device is another GPU,
+// or if OpenGL is in software.
 std::unique_ptr<GraphicsPipeline> open_cuda_to_gl(const OpenOptions& options);
 
 }  // namespace spherepair

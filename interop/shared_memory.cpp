@@ -10,7 +10,7 @@
 namespace spherepair {
 namespace {
 
-// The driver's functions are requested at run time: the program must start where there is no driver.
+// Looks up the driver's functions at run time, so that the program starts without a driver.
 template <typename Function>
 Function driver_function(const char* name) {
   void* function = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that CUDA allocates and OpenGL imports, through a file descriptor.
+// Memory that CUDA allocates and OpenGL imports through a file descriptor.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -12,18 +12,18 @@ namespace spherepair {
 
 class SharedMemory {
  public:
-  // On the current CUDA device, for the current OpenGL context. Throws BackendError naming the call that failed.
+  // Allocates on the current CUDA device for the current OpenGL context. Throws BackendError naming the failed call.
   explicit SharedMemory(uint64_t bytes);
   ~SharedMemory();
   SharedMemory(const SharedMemory&) = delete;
   SharedMemory& operator=(const SharedMemory&) = delete;
 
-  void* address() const { return reinterpret_cast<void*>(address_); }  // CUDA's
+  void* address() const { return reinterpret_cast<void*>(address_); }  // in CUDA
   GLuint buffer() const { return storage_.buffer; }
   uint64_t bytes() const { return bytes_; }
 
  private:
-  SharedMemory() = default;  // so that a constructor that fails gives back what it has
+  SharedMemory() = default;  // so that the destructor runs if the other constructor throws
   void allocate(uint64_t bytes);
   void import();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies Vulkan's spheres and images to OpenGL: into memory that both share, or through the host.
+// Copies Vulkan's spheres and images to OpenGL: into shared memory, or through the host.
 #include "interop/vulkan/vulkan_to_gl.h"
 
 #include <epoxy/gl.h>
@@ -53,7 +53,7 @@ class VulkanToGl final : public GlDrawing {
 
   void transfer(const SphereArrays& spheres, std::optional<Transfer> way) override {
     make_current();
-    glFinish();  // the last image still reads what is written next
+    glFinish();  // the last image may still read the buffers that are written next
     if (spheres.size == 0) return through_host(nullptr, nullptr, 0);
     if (way) return transfer_by(*way, spheres);
     try {
@@ -70,7 +70,7 @@ class VulkanToGl final : public GlDrawing {
     make_current();
     const uint64_t count = uint64_t(size.x) * size.y;
     if (!shares_) return GlDrawing::show_pixels(handle_of(read<uint>(pixels, count).data()), size, texture);
-    glFinish();  // the last image still reads what is written next
+    glFinish();  // the last image may still read the buffers that are written next
     share(image_, count * sizeof(uint)).copy(pixels);
     texture_from_buffer(texture, size, image_->buffer());
     return true;
@@ -107,7 +107,7 @@ class VulkanToGl final : public GlDrawing {
   }
 
   Device& vulkan_;
-  bool shares_;  // the driver seems to have memory for both
+  bool shares_;  // the drivers seem to offer memory for both
   std::array<std::unique_ptr<SharedBuffer>, 2> shared_;
   std::unique_ptr<SharedBuffer> image_;
 };
