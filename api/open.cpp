@@ -53,7 +53,7 @@ std::string api_of_choice(OpenOptions options) {
   return {};
 }
 
-// On the device that the API's own option names.
+// Opens the device that the API's own option names.
 std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const OpenOptions& options) {
 #ifdef SPHEREPAIR_WITH_CUDA
   if (id == "cuda") return open_cuda_device(options);
@@ -69,9 +69,9 @@ std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const
   throw BackendError(fmt::format("{}: not in this build; install {} and configure again", id, packages));
 }
 
-// Where a GPU was chosen for one API alone, the others take the same. EGL and Vulkan do not know CUDA_VISIBLE_DEVICES:
-// they take the first GPU that it leaves to CUDA, and their own first where it leaves none or they do not reach that
-// one.
+// If the user chose a GPU for another API only, takes the same one. EGL and Vulkan do not know CUDA_VISIBLE_DEVICES:
+// they take the first GPU that it leaves to CUDA. They take their own first GPU if it leaves none or they cannot open
+// that one.
 OpenOptions with_device(const std::string& id, OpenOptions options) {
   options.vendor_free = id == "opengl-core";
   std::string& own = device_option(options, id);
@@ -120,7 +120,7 @@ PipelineOpener pipeline_of_vulkan([[maybe_unused]] OpenOptions options, [[maybe_
 }
 
 PipelineOpener pipeline_of(const OpenOptions& options, Device& device) {
-  if (device.pipeline()) return {};  // of its own
+  if (device.pipeline()) return {};  // it has its own
   return device.info().name == "vulkan" ? pipeline_of_vulkan(options, device) : pipeline_of_cuda(options, device);
 }
 

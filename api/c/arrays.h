@@ -15,7 +15,7 @@ namespace spherepair {
 
 inline bool is_given(const sp_array& array) { return array.data != nullptr || array.rows != 0; }
 
-// DLPack's types of devices.
+// DLPack's device types.
 constexpr int32_t host_memory = 1, cuda_memory = 2, cuda_pinned_memory = 3, cuda_managed_memory = 13;
 inline bool is_cuda_array(const sp_array& array) {
   return array.device_type == cuda_memory || array.device_type == cuda_managed_memory;
@@ -23,7 +23,7 @@ inline bool is_cuda_array(const sp_array& array) {
 
 // Refuses an array that has another number of columns, another type, too many rows or no memory.
 void check_shape(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
-// And one that does not lie in the host's memory.
+// Refuses the same, and an array that does not lie in the host's memory.
 void check_array(const sp_array& array, const std::string& name, int64_t columns, std::initializer_list<sp_type> types);
 
 // Copies bytes of a device's memory to the host's.
@@ -37,7 +37,7 @@ std::vector<double> read_numbers(const sp_array& array, const std::string& name,
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns);
 
-// One element, where the strides put it.
+// The element at this row and column, by the array's strides.
 template <typename Element>
 Element& element(const sp_array& array, int64_t row, int64_t column = 0) {
   return static_cast<Element*>(array.data)[row * array.row_stride + column * array.column_stride];

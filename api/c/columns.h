@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns of a list, in the caller's memory.
+// Checks and fills the columns of a list in the caller's memory.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace spherepair {
 // Throws ListError for a column of another shape or type, or in other memory than the host's unless `on_device`.
 void check_columns(const sp_pairs& pairs, bool on_device);
 
-// Says in the message which column is too short for pairs.count rows; else leaves it as it is.
+// If a column is too short for pairs.count rows, the message names it; else the message stays as it is.
 void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message);
 
-// Into the columns that have data; vectors and distances are of the same displacements.
+// Writes the list into the columns that have data. Vectors and distances use the same displacements.
 void write_list(const ListProblem& problem, const std::vector<ListedPair>& list, const sp_pairs& to);
 
 }  // namespace spherepair

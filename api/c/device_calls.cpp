@@ -18,7 +18,7 @@ DeviceArrays& arrays_of(Backend& backend) {
                   backend.info().name));
 }
 
-// The columns that kernels have to write; vectors and distances are made from all three.
+// The columns that kernels must write. Vectors and distances need first, second and shifts.
 uint wanted_of(const sp_pairs& pairs) {
   const bool vectors = pairs.vectors.data || pairs.distances.data;
   return (pairs.first.data || vectors ? LIST_WANTS_FIRST : 0) | (pairs.second.data || vectors ? LIST_WANTS_SECOND : 0) |
@@ -43,7 +43,7 @@ class BorrowedColumn {
     taken_ = column.data && column.type == ElementType::int32 && contiguous;
     if (!taken_) return;
     buffers_.share(slot, {uint64_t(uintptr_t(column.data)), uint64_t(rows * columns) * sizeof(int32_t), nullptr});
-    column = {};  // need not be copied
+    column = {};  // so that nothing is copied
   }
   ~BorrowedColumn() {
     if (taken_) buffers_.share(slot_, own_);
@@ -60,7 +60,7 @@ class BorrowedColumn {
 
 }  // namespace
 
-// The calls' launches and copies go to the caller's stream.
+// While it lives, launches and copies go to the caller's stream.
 class DeviceCalls::InStream {
  public:
   InStream(DeviceCalls& calls, const sp_problem& given) : in_thread_(calls.backend_), arrays_(calls.arrays_) {
@@ -106,7 +106,7 @@ void DeviceCalls::read_points(const sp_problem& given) {
                         uint64_t(given.positions.rows), uint64_t(given.queries.rows));
 }
 
-// Waits. Throws ListError for points that cannot be listed.
+// Counts the pairs and waits for the number. Throws ListError for points that cannot be listed.
 int64_t DeviceCalls::counted(const sp_problem& given) {
   read_points(given);
   lists_.count();
@@ -132,7 +132,7 @@ DeviceColumns DeviceCalls::columns_of(const sp_pairs& pairs) const {
           .found = array_of(pairs.found, "found")};
 }
 
-// Fills the rows that count() has found, and the columns from them.
+// Writes the rows that count() has found into the columns, at most `room` of them.
 void DeviceCalls::write(const ListProblem& problem, DeviceColumns columns, int64_t room) {
   const BorrowedColumn first(lists_, SLOT_LIST_FIRST, columns.first, 1, room),
       second(lists_, SLOT_LIST_SECOND, columns.second, 1, room),

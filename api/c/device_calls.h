@@ -7,13 +7,13 @@
 
 namespace spherepair {
 
-// Whether a problem's positions lie in CUDA's memory, where all arrays of the call have to lie then.
+// Whether a problem's positions lie in CUDA's memory. Then its radii, its queries and all columns must lie there, too.
 bool is_on_device(const sp_problem& given);
 
-// A context's calls for such problems, and the buffers that it keeps from one to the next.
+// Makes a context's calls for such problems, and keeps buffers from one call to the next.
 class DeviceCalls {
  public:
-  // Throws ListError for a backend whose callers have no memory of its device.
+  // Throws ListError for a backend whose callers cannot have arrays in its device's memory.
   explicit DeviceCalls(Backend& backend);
 
   int64_t count(const sp_problem& given);

@@ -14,11 +14,11 @@
 
 namespace spherepair {
 
-std::string& open_message();  // why this thread's last call that opens something failed
+std::string& open_message();  // the reason why this thread's last sp_open or the like failed
 
 sp_status status_of(ListFault fault);
 
-// Runs work(); what it throws becomes a status, and the message says why.
+// Runs work(). Turns an exception into a status and its text into the message.
 template <typename Work>
 sp_status guarded(std::string& message, Work work) noexcept {
   try {

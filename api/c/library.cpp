@@ -26,7 +26,7 @@ struct sp_context {
 
   std::unique_ptr<Backend> backend;
   std::optional<DeviceCalls> device_calls;
-  std::optional<DeviceLists> lists;  // of the host's arrays, on a device
+  std::optional<DeviceLists> lists;  // lists of the host's arrays, made on a device
   std::string message;
 };
 
@@ -45,7 +45,7 @@ std::vector<ListedPair> list_in_thread(sp_context& context, const ListProblem& p
 
 }  // namespace
 
-// Their buffers are freed while the backend's device is the thread's.
+// Frees the lists' buffers while the backend's device is the thread's.
 void sp_context::end_lists() noexcept {
   try {
     const InThread in_thread(*backend);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From the C struct to a ListProblem.
+// Makes a ListProblem from the C struct.
 #pragma once
 
 #include "api/c/arrays.h"
 
 namespace spherepair {
 
-// Throws ListError for whatever the arrays' shapes, types and offsets make impossible; check_problem does the rest.
-// Where the positions lie in a device's memory, points and radii are checked but not read, and `read` brings the other
+// Throws ListError for arrays of wrong shapes, types or offsets; check_problem checks the rest. With `read` the
+// positions lie in a device's memory: points and radii are then checked but not read, and `read` copies the other
 // arrays to the host.
 ListProblem problem_of(const sp_problem& given, const ReadDevice& read = {});
 

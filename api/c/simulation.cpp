@@ -18,7 +18,7 @@ struct sp_simulation {
   std::unique_ptr<Backend> backend;
   uint64_t spheres = 0, steps = 0;
   double dt = 0;
-  bool failed = false;  // in a step
+  bool failed = false;  // a step has failed
   std::string message;
 };
 
