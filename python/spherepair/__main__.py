@@ -53,7 +53,7 @@ def _pairs(options: argparse.Namespace) -> None:
     search = Search(points.positions, options.cutoff, points.cell, points.pbc, half=True)
     found = _columns.columns(search, "ijSd", context, "int32")
     if options.output:
-        import numpy  # those who read the file have it
+        import numpy  # the packages that read files need numpy
 
         with open(options.output, "wb") as file:
             numpy.savez(file, **found)

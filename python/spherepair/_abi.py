@@ -9,7 +9,7 @@ from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_ui
 ABI_VERSION = 2
 
 OK, ARGUMENT, NONFINITE, RANGE, CAPACITY, MEMORY, BACKEND = range(7)  # sp_status
-SHIFTS, VECTORS, DISTANCES, OFFSETS = 1, 2, 4, 8  # what sp_list makes beside i and j
+SHIFTS, VECTORS, DISTANCES, OFFSETS = 1, 2, 4, 8  # columns that sp_list makes besides i and j
 
 TYPES = {"f4": 0, "f8": 1, "i4": 2, "i8": 3, "u1": 4}  # sp_type of a kind and a size in bytes
 CODES = {number: code for code, number in TYPES.items()}
@@ -24,7 +24,7 @@ class Array(ctypes.Structure):
 
 
 class Problem(ctypes.Structure):
-    """sp_problem: what is searched."""
+    """sp_problem: the points and options of a search."""
 
     _fields_ = [("size", c_size_t), ("positions", Array), ("radii", Array), ("cutoff", c_double), ("skin", c_double),
                 ("boxes", Array), ("periodic", Array), ("offsets", Array), ("queries", Array),

@@ -54,7 +54,7 @@ class List:
 
 
 def columns(search: Search, names: Any, backend: Union[str, Context], index_dtype: Any) -> Dict[str, Any]:
-    """Gives the columns of the list by name: torch tensors where the positions are one."""
+    """Gives the columns of the list by name: torch tensors if the positions are one."""
     code = index_code(index_dtype)
     sorts = search.queries.order is not None or search.points.order is not None
     needed = set(names) | ({"i", "j"} if sorts else set())
@@ -87,7 +87,7 @@ def _regroup(search: Search, found: Dict[str, Any], with_offsets: bool) -> None:
 
 
 def to_torch(torch: Any, column: Any) -> Any:
-    """Gives a tensor on the column's memory."""
+    """Gives a tensor that uses the column's memory."""
     if hasattr(column, "__array_interface__"):
         return torch.from_numpy(column)
     kinds = {"i": torch.int32, "q": torch.int64, "d": torch.float64}

@@ -71,7 +71,7 @@ _kept = threading.local()
 
 
 def context_of(backend: Union[str, Context]) -> Context:
-    """Gives the context itself, or the one that this thread keeps for the backend of that name."""
+    """Gives the context itself, or for a backend's name the context that this thread keeps."""
     if isinstance(backend, Context):
         return backend
     key = (backend, os.getpid())

@@ -24,7 +24,7 @@ _pointer.restype, _pointer.argtypes = c_void_p, [ctypes.py_object, c_char_p]
 
 
 def read(obj: Any, name: str) -> Tuple[int, Tuple[int, ...], Tuple[int, ...], str, bool, Any]:
-    """The fields of a View. The capsule, which is kept, frees the memory when it is collected."""
+    """Gives the fields of a View, which keeps the capsule. The capsule frees the memory when it is collected."""
     capsule = obj.__dlpack__()
     tensor = _Tensor.from_address(_pointer(capsule, b"dltensor"))
     if tensor.code not in _KINDS or tensor.bits not in (8, 16, 32, 64) or tensor.lanes != 1:

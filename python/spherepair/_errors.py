@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The exceptions, and the status numbers that they stand for."""
+"""The exceptions, and the status numbers that raise them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class BackendError(RuntimeError):
 
 
 def error(status: int, message: str) -> Exception:
-    """Makes the exception for a status other than OK, with the library's words."""
+    """Makes the exception for a status other than OK, with the library's message."""
     if status == _abi.MEMORY:
         return MemoryError(message)
     return BackendError(message) if status == _abi.BACKEND else ValueError(message)

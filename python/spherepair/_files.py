@@ -18,7 +18,7 @@ class Points(NamedTuple):
 
 
 class FileError(Exception):
-    """No package that is installed can read the file."""
+    """No installed package can read the file."""
 
 
 def _with_ase(path: str) -> Points:
@@ -45,7 +45,7 @@ def _with_meshio(path: str) -> Points:
 
 
 def _readers(path: str) -> List[Callable[[str], Points]]:
-    """Lists the readers, first the one that is made for the file."""
+    """Lists the readers, the one for the file's format first."""
     if pathlib.Path(path).suffix == ".gsd":
         return [_with_gsd, _with_ase, _with_mdanalysis]
     return [_with_ase, _with_mdanalysis, _with_meshio]
@@ -61,7 +61,7 @@ def read(path: str) -> Points:
             return reader(path)
         except ModuleNotFoundError as error:
             missing.append((error.name or "").partition(".")[0])
-        except (Exception, SystemExit) as error:  # a package may raise anything at a file that is not its own
+        except (Exception, SystemExit) as error:  # a package may raise anything for a file of another format
             failed.append(f"{reader.__name__[6:]}: {type(error).__name__}: {error}")
     message = f"{path} cannot be read"
     if failed:

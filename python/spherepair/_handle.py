@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Handle: what the library opened, for use by one thread at a time until it is closed."""
+"""Handle: an object that the library opened, used by one thread at a time until it is closed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Handle:
     """Owns a pointer of the library's. Calls of several threads wait for each other. It does not survive os.fork()."""
 
     def __init__(self, name: str, open_it: Any, message: Any, close_it: Any, *arguments: Any):
-        """Calls open_it(*arguments, &pointer). Raises what its status stands for. name: of the thing, in messages."""
+        """Calls open_it(*arguments, &pointer). Raises the exception of its status. name: the object's, in messages."""
         self._name, self._message, self._handle = name, message, ctypes.c_void_p()
         status = open_it(*arguments, ctypes.byref(self._handle))
         if status != _abi.OK:
@@ -33,7 +33,7 @@ class Handle:
         self._closer.atexit = False  # another thread may still be in a call when the interpreter ends
 
     def close(self) -> None:
-        """Closes the backend. Arrays that came from it stay valid. Closing twice is fine."""
+        """Closes the object. Arrays that came from it stay valid. Closing twice is fine."""
         with self._lock:
             self._closer()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turns arguments into what the library reads: numbers, points, radii, boxes, indices."""
+"""Turns arguments into the library's inputs: numbers, points, radii, boxes, indices."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays in CUDA's memory: torch tensors, cupy arrays, and whatever has `__cuda_array_interface__`. None is copied."""
+"""Uses arrays in CUDA's memory in place: torch tensors, cupy arrays, and others with `__cuda_array_interface__`."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def on_host(obj: Any, name: str) -> Any:
     """Copies a small array that the library needs on the host; gives other objects as they are."""
     if obj is None or not is_on_cuda(obj):
         return obj
-    for method in ("cpu", "get"):  # of torch, of cupy
+    for method in ("cpu", "get"):  # torch's and cupy's copies to the host
         if hasattr(obj, method):
             return getattr(obj, method)()
     raise ValueError(f"{name} is in CUDA's memory: copy it to the host's first")
@@ -56,7 +56,7 @@ class Column:
 
 
 class Library:
-    """The package whose arrays a call got: it makes arrays of the same kind on the list's memory."""
+    """The package of a call's arrays. Makes arrays of the same kind that use the list's memory."""
 
     def __init__(self, positions: Any, number: int):
         torch, cupy = sys.modules.get("torch"), sys.modules.get("cupy")
@@ -74,7 +74,7 @@ class Library:
         return self._interface.get("stream") or 0
 
     def radii(self, radii: Any, name: str, rows: int) -> View:
-        """Radii as an array beside the positions; torch and cupy copy those that lie on the host."""
+        """Gives radii in CUDA's memory; torch and cupy copy them there from the host."""
         if not is_on_cuda(radii):
             if not self.torch and not self.cupy:
                 raise ValueError(f"{name} are in the host's memory, the positions in CUDA's: both must be in one")
@@ -88,7 +88,7 @@ class Library:
         return given
 
     def array(self, source: View, code: Optional[str] = None) -> Any:
-        """Gives an array on the source's memory, or a copy as integers of another size."""
+        """Gives an array that uses the source's memory, or a copy as integers of another size."""
         column = Column(source)
         if self.torch:
             tensor = self.torch.as_tensor(column, device=f"cuda:{self.number}")

@@ -16,7 +16,7 @@ from ._library import lib
 from ._problem import Search
 from ._views import view
 
-_SLACK = 1.25  # how many times the pairs of a list arrays get, so that the next list fits, too
+_SLACK = 1.25  # grown arrays get this many times the rows of the list, so that the next list fits, too
 
 
 class Pairs:

@@ -20,7 +20,7 @@ except ImportError:
 
 _ORDER = "<" if sys.byteorder == "little" else ">"
 _KINDS = {"?": "b", **dict.fromkeys("bhilqn", "i"), **dict.fromkeys("BHILQN", "u"), **dict.fromkeys("efd", "f")}
-_nothing = ctypes.create_string_buffer(8)  # what an array without elements points to
+_nothing = ctypes.create_string_buffer(8)  # the memory of an array without elements
 
 
 class View(NamedTuple):

@@ -22,7 +22,7 @@ def largest(source: View) -> int:
 
 
 def padded(source: View) -> View:
-    """Puts columns of zeros behind N x 1 or N x 2 numbers: N x 3."""
+    """Appends columns of zeros to N x 1 or N x 2 numbers: N x 3."""
     numbers = np.asarray(source)
     wide = np.zeros((len(numbers), 3), numbers.dtype)
     wide[:, :numbers.shape[1]] = numbers
@@ -59,7 +59,7 @@ def values(source: View) -> Any:
 
 
 def stable_order(systems: Any) -> Optional[Any]:
-    """Finds the order that sorts, None if they are sorted. Equal numbers keep their order."""
+    """Finds the order that sorts the numbers, None if they are sorted. Equal numbers keep their order."""
     return None if np.all(systems[1:] >= systems[:-1]) else np.argsort(systems, kind="stable")
 
 
@@ -73,7 +73,7 @@ def distinct(*several: Any) -> Any:
 
 
 def starts(ordered: Any, systems: Sequence[int]) -> View:
-    """Finds where each system starts among the sorted numbers, and behind them their number."""
+    """Finds where each system starts among the sorted numbers, and appends the number of numbers."""
     found = np.searchsorted(ordered, np.asarray(systems, np.int64))
     return view(np.append(found, len(ordered)).astype(np.int64), "")
 
@@ -90,7 +90,7 @@ def new(shape: Tuple[int, ...], code: str) -> Any:
 
 
 def output(source: View) -> Any:
-    """Gives the array that callers get, on the source's memory."""
+    """Gives the array for the caller, which uses the source's memory."""
     return np.asarray(source)
 
 

@@ -87,7 +87,7 @@ def first_outside(systems: List[int], limit: int) -> Optional[int]:
 
 
 def new(shape: Tuple[int, ...], code: str) -> memoryview:
-    """Zeros. A memoryview needs a row to have a shape: one is cut off where there are none."""
+    """Allocates an array of zeros. A memoryview needs at least one row for a shape, so an empty one is a slice of it."""
     rows = max(shape[0], 1)
     size = int(code[1:]) * rows * (shape[1] if len(shape) > 1 else 1)
     return memoryview(bytearray(size)).cast(_LETTERS[code], shape=(rows, *shape[1:]))[:shape[0]]
