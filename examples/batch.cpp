@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Many small systems in C++: 1,000 periodic boxes of 10 to 40 random points each, in one call.
-// Prints how many pairs all of them have, and the same of the first system, which a call of its own confirms.
+// Prints the number of pairs of all systems and of the first system; a separate call confirms the second number.
 #include <iostream>
 #include <random>
 #include <span>
