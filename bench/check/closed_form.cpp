@@ -10,10 +10,10 @@ namespace spherepair {
 namespace {
 
 struct Vertical {
-  Quad height, speed;  // above the plane, upwards
+  Quad height, speed;  // metres above the plane; m/s upwards
 };
 
-// Of a sphere that left the plane upwards with `speed`, after `time`.
+// Height and speed of a sphere, `time` after it left the plane upwards with `speed`.
 Vertical bounced(Quad time, Quad speed, const Quad& gravity, const Quad& e) {
   if (gravity == 0) return {speed * time, speed};
   if (e == 1) {

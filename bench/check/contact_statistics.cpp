@@ -32,7 +32,7 @@ class Sums {
     const Push push = push_of_pair(a, b, params_);
     const double d[3] = {metres_ * double(a.x - b.x), metres_ * double(a.y - b.y), metres_ * double(a.z - b.z)};
     const double reach = double(a.radius) + double(b.radius), overlap = reach - std::hypot(d[0], d[1], d[2]);
-    if (overlap <= 0) return;  // as float32 rounds the centres they collide, but here they do not
+    if (overlap <= 0) return;  // they collide only after their centres are rounded to float32
     ++sums_.contacts;
     add_overlap(overlap, reach);
     const Impulse impulse = {push.x, push.y, push.z};
@@ -82,7 +82,7 @@ class Sums {
   const Scene& scene_;
   const std::vector<uint>& wide_;
   const ContactParams params_;
-  const double metres_, momentum_;  // of a unit
+  const double metres_, momentum_;  // of one unit of length, of momentum
   std::vector<Impulse> impulses_;
   ContactStatistics sums_;
 };

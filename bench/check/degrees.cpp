@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint kSingle = 16;  // degrees below have a bin each
+constexpr uint kSingle = 16;  // smaller degrees have a bin each
 
 // Spheres by degree.
 std::vector<uint64_t> histogram(std::span<const uint> counts) {

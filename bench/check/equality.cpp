@@ -62,7 +62,7 @@ class Node {
   std::string path_;
 };
 
-// A run that was interrupted, found a difference or compared less than it planned shows no equality.
+// Refuses a run that was interrupted, found a difference or compared less than planned.
 void require_equality(const Node& results) {
   results.at("format").require(results_format);
   results.at("verdict").require("equal");
@@ -79,7 +79,8 @@ std::string result_at(const Node& point) {
                      point.at("fingerprint").hex(32), point.at("state").hex(16));
 }
 
-// A configuration may be recorded several times in a run: by the lockstep check and before each timing.
+// Results by configuration. A run may record a configuration several times: by the lockstep check and before each
+// timing.
 std::map<std::string, std::string> records(const json& file) {
   const Node results(file, "");
   require_equality(results);
@@ -119,7 +120,7 @@ json to_json(const EqualityEntry& entry) {
                       {"fingerprint", hex(point.fingerprint)},
                       {"state", hex64(point.state)}});
   json scene = scene_json(entry.scene);
-  if (entry.contact.law != ContactLaw::none) {  // with what was chosen for them
+  if (entry.contact.law != ContactLaw::none) {  // with the options chosen for contacts
     scene["contact"] = contact_json(entry.contact);
     scene["dt"] = entry.dt;
     scene["restitution"] = entry.restitution;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The record of results that were found equal, and the comparison of two machines' records.
+// Records results that were found equal, and compares the records of two machines.
 #pragma once
 
 #include <map>
@@ -33,8 +33,8 @@ struct RecordComparison {
 };
 
 // Compares every (scene with all its options, set, step) that both results.json contain. Throws std::invalid_argument
-// with the position at which one is not a record of equality: another format or verdict, fewer comparisons than
-// planned, a missing or malformed value, two different results for the same configuration.
+// with the position if one is not a record of equality: another format or verdict, fewer comparisons than planned, a
+// missing or malformed value, two different results for the same configuration.
 RecordComparison compare_records(const json& left, const json& right);
 
 // Throws std::invalid_argument for a file that cannot be read or is not a results.json.

@@ -12,8 +12,8 @@
 namespace spherepair {
 namespace {
 
-// Candidate pairs: those of the positions rounded to float32, with radii enlarged by a bound of the rounding error.
-// Half an ulp along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Positions are
+// Candidate pairs: the colliding pairs of positions rounded to float32, with radii enlarged by a bound of the rounding
+// error. Half an ulp along three axes for both spheres is less than 4 * 2^-24 of the largest coordinate. Positions are
 // relative to the first sphere, so that a scene far from the origin does not make every pair a candidate.
 std::vector<Pair> candidates(const Scene& scene, const std::vector<QuadPoint>& positions) {
   Scene rounded = scene;

@@ -9,7 +9,7 @@ namespace spherepair {
 // every state before it is collided, drawn, saved or compared.
 void require_finite(const Backend::State& state, uint64_t step);
 
-// Of spheres that do not move since a step is lost to rounding, and what to do; empty without any.
+// Warns of spheres that do not move because rounding loses their steps, and says what to do; empty without any.
 std::string stalled_warning(const Scene& scene);
 
 }  // namespace spherepair

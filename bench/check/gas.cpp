@@ -15,7 +15,7 @@ double squared(double x) { return x * x; }
 double diameter(const Scene& scene) { return 2 * double(scene.positions.at(0).w); }
 double length(const Scene& scene) { return double(scene.contact.high.x); }
 
-// A smooth window, longer than the layers at the walls are thick.
+// The packing fraction in a smooth window in the middle, farther from the walls than their layers reach.
 double bulk_fraction(const Gas& gas, const std::vector<vec4>& positions) {
   const double from = 2 * gas.diameter, window = length(gas.scene) - 2 * from;
   const auto weight = [&](float x) {
@@ -38,11 +38,11 @@ void move(Backend& backend, uint64_t steps) {
 
 double temperature(double kinetic, uint64_t n) { return 2 * kinetic / (3 * double(n)); }  // times Boltzmann's constant
 
-// Of a hard wall that the centres reach, times d^2 / k T: Reiss, Frisch, Helfand, Lebowitz, J. Chem. Phys. 32 (1960)
-// 119.
+// The surface tension of a hard wall that the centres reach, times d^2 / k T: Reiss, Frisch, Helfand, Lebowitz, J.
+// Chem. Phys. 32 (1960) 119.
 double surface_tension(double f) { return -9 / (2 * std::numbers::pi) * f * f * (1 + f) / std::pow(1 - f, 3); }
 
-// What such a wall's layers hold beyond the gas away from it, as a depth of that gas, in diameters: the derivative of
+// The excess spheres in the layers at such a wall, as a depth of the gas away from it, in diameters: the derivative of
 // the tension by Carnahan and Starling's chemical potential.
 double layers(double f) {
   return 1.5 * f * (1 + 2 * f) / (1 + 4 * f + 4 * f * f - 4 * std::pow(f, 3) + std::pow(f, 4));

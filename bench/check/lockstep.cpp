@@ -14,7 +14,7 @@ bool chosen(const std::vector<Method>& methods, Method method) {
   return std::ranges::find(methods, method) != methods.end();
 }
 
-// Arrangements of threads; on the CPU all of them run the search of `parallel`.
+// Methods that arrange a device's threads; on the CPU all of them run the search of `parallel`.
 bool is_all_pairs_of_devices(Method method) {
   return method == Method::collide_tiled || method == Method::collide_square || method == Method::collide_triangle;
 }
@@ -36,7 +36,7 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, c
     auto found = std::ranges::find_if(sets, [&](const SetCheck& set) { return set.entry.set == name; });
     if (found == sets.end()) {
       const Configuration reference = reference_for(session, configuration.options, plan.scene.n);
-      // Before the first comparison few spheres are taken to have few pairs, so that the reference searches once.
+      // Before the first comparison we assume that few spheres have few pairs, so that the reference searches once.
       const uint64_t guess = plan.scene.n <= few_spheres ? 0 : UINT64_MAX;
       sets.push_back({reference, {}, {plan.scene, name, {label(reference)}, {}}, guess});
       found = sets.end() - 1;
@@ -50,7 +50,7 @@ std::vector<SetCheck> group_by_set(Session& session, const LockstepPlan& plan, c
 
 bool is_compared(const LockstepPlan& plan, uint64_t step) { return step % plan.every == 0 || step == plan.steps; }
 
-// Derived from the configurations and steps alone, independently of the comparing code.
+// Plans comparisons from the configurations and steps alone, independently of the comparing code.
 void plan_comparisons(Session& session, const LockstepPlan& plan, const std::vector<Configuration>& all) {
   const uint64_t steps = plan.steps / plan.every + 1 + (plan.steps % plan.every != 0);
   uint64_t planned = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All backends move one scene in lockstep; their states and collision sets are compared after every step.
+// Moves one scene in lockstep on all backends, and compares their states and sets of pairs.
 #pragma once
 
 #include "bench/check/equality.h"
@@ -22,8 +22,8 @@ struct LockstepPlan {
 // open backend would be compared, std::logic_error if fewer comparisons were made than planned.
 std::vector<EqualityEntry> check_lockstep(Session& session, const LockstepPlan& plan, Progress& progress);
 
-// Every backend with each of these methods, at each of these group sizes if the method uses one. On the CPU without the
-// devices' arrangements of all pairs, which run the search of `parallel` there.
+// Every backend with each of these methods, at each of these group sizes if the method uses one. The CPU leaves out the
+// devices' arrangements of all pairs, which would run `parallel` there.
 std::vector<Configuration> all_configurations(Session& session, const std::vector<Method>& methods,
                                               const std::vector<uint>& blocks);
 

@@ -9,7 +9,7 @@
 namespace spherepair {
 
 struct Margin {
-  bool collide;      // by the exact integer stages
+  bool collide;      // as the exact integer stages decide
   bool finite;       // all inputs are finite
   long double ulps;  // (S - Q) / Q in units of 2^-24, evaluated in long double
 };

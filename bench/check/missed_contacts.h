@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts between steps: spheres that pass through each other, how many of these a test once per step misses, and how
-// many it is expected to miss.
+// Contacts between steps: spheres that pass through each other, and the share of them that a test once a step misses,
+// measured and expected.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -11,7 +11,7 @@ namespace spherepair {
 // without gravity, in steps of 1 s. `step_length`: distance moved per step, in sums of the radii.
 Scene passing_scene(uint64_t pairs, double step_length, uint64_t seed);
 
-// The share s^2/12 of them that touch at no step, s = step_length <= 2; 1 - 4/(3 s) above.
+// The share of these pairs that touch at no step: s^2/12 for s = step_length <= 2, 1 - 4/(3 s) above.
 double expected_miss_share(double step_length);
 
 // The number of pairs never found to touch, tested at every step, or within every step if `swept`.

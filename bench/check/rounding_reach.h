@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pairs the rounding of a file's numbers to float32 can have decided.
+// Counts pairs that the rounding of a file's numbers to float32 may have decided.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace spherepair {
 
-// Counts the pairs that rounding may have decided, within the reach of touching: those that differ between the file's
-// numbers and the rounded ones are among them. Searches twice, with radii larger and smaller by the reach; the backend
-// then holds other spheres.
+// Counts the pairs that are closer to touching than rounding can move them. These include all pairs that differ between
+// the file's numbers and the rounded ones. Searches twice, with radii larger and smaller by the reach; the backend then
+// holds other spheres.
 uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
                             const CollideOptions& options);
 

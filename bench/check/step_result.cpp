@@ -112,7 +112,7 @@ std::string set_name(const CollideOptions& options) {
   return options.method == Method::collide_group ? fmt::format("within groups of {}", options.block) : "all pairs";
 }
 
-// The simplest reference is a double loop on one thread; where it would take seconds, all cores, then the grid.
+// Takes a double loop on one thread, the simplest reference; where that would take seconds, all cores, then the grid.
 Configuration reference_for(Session& session, const CollideOptions& options, uint64_t n) {
   Configuration configuration{&session.reference(), {}};
   const bool cpu = configuration.backend->info().on_host;

@@ -23,7 +23,7 @@ struct Configuration {
   CollideOptions options;
 };
 bool uses_blocks(const Configuration& configuration);
-// Returns the requested group size; throws std::invalid_argument where it would change nothing.
+// Returns the requested group size; throws std::invalid_argument if it would have no effect.
 uint require_groups(const Configuration& configuration, uint block);
 std::string label(const Configuration& configuration);  // opengl collide_tiled 256
 std::string set_name(const CollideOptions& options);    // "all pairs" or "within groups of 64"

@@ -55,7 +55,7 @@ void check_names(const std::vector<std::string>& names) {
   for (const std::string& name : names) require_known("ablation", name, known);
 }
 
-// Of a backend that is not open, an ablation would be left out without a word.
+// Refuses ablations of a backend that is not open: they would be left out silently.
 void require_offered(const std::vector<std::string>& names, const Session& session) {
   for (const std::string& name : names) {
     const auto here = [&](const Ablation& one) {

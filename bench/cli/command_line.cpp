@@ -122,7 +122,7 @@ int run_program(int argc, const char* const* argv, const Opener& opener, Runner 
       "spherepair finds the colliding pairs of spheres exactly, on the CPU, with GLSL through OpenGL and Vulkan, and "
       "with CUDA; checks that all backends find the same pairs; and times them.");
   app.set_version_flag("--version", fmt::format("spherepair {} ({})", build_info.version, build_info.commit));
-  app.formatter(std::make_shared<HelpFormat>());  // before the subcommands, which take it over
+  app.formatter(std::make_shared<HelpFormat>());  // before the subcommands, which inherit it
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 success; 1 a difference was found; 2 bad usage or input, or output that cannot be written; "

@@ -27,10 +27,10 @@ struct PairsOptions {
   std::string backend, method;                     // no backend: the fastest that opens; no method: auto
   std::string input_file, output_file, json_file;  // no output: only the summary
   std::string contacts_file;                       // the number of contacts of each sphere
-  bool geometry = false;                           // overlap, normal and point of each pair as well
-  bool distances = false;                          // of the centres of each pair as well
+  bool geometry = false;                           // also the overlap, normal and point of each pair
+  bool distances = false;                          // also the distance of the centres of each pair
   bool csr = false;                                // a full neighbour list in place of the pairs
-  std::optional<double> radius = {}, cutoff = {};  // cutoff: of points, the distance up to which they are a pair
+  std::optional<double> radius = {}, cutoff = {};  // cutoff: points up to this distance are a pair
   std::optional<uint64_t> frame;
   std::vector<std::string> columns;
   bool decimal_comma = false, ignore_periodic = false;
@@ -38,7 +38,7 @@ struct PairsOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 void add_pairs(CLI::App& app, CommandLine& line, Action& action);
-// Throw std::invalid_argument before any work: for options that are wrong, or that a periodic box does not take.
+// Throw std::invalid_argument before any work for options that are wrong or that a periodic box excludes.
 void check_pairs_options(const PairsOptions& options);
 void check_periodic_options(const PairsOptions& options);
 int pairs_command(const CommandLine& line, const PairsOptions& options);
@@ -56,13 +56,13 @@ struct RenderOptions {
   std::string colour = "contacts";  // ColourBy
   std::optional<std::array<double, 2>> colour_range = {};
   std::string ground;              // see place_ground
-  bool frames = false;             // all of an XYZ file: an image each, in place of steps
-  bool legend = true, box = true;  // box: the edges of the first image's bounding box, or of all frames'
+  bool frames = false;             // draws all frames of an XYZ file instead of steps
+  bool legend = true, box = true;  // box: draws the edges of the bounding box of the first image or of all frames
   bool plain = false;              // no occlusion, shadow or ground
 };
 void add_render(CLI::App& app, CommandLine& line, Action& action);
 int render_command(const CommandLine& line, const RenderOptions& options);
-// Throw std::invalid_argument for options that do not go together, and for names that images or videos cannot have.
+// Throw std::invalid_argument for options that exclude each other, and for invalid names of images or videos.
 void check_render_options(const RenderOptions& options);
 void check_render_files(const RenderOptions& options, uint64_t images);
 

@@ -49,7 +49,7 @@ class Record {
     write_file(folder_ / "results.json", json_text(root_));
   }
 
-  // The tables, and as CSV their samples; of tables without times the last one.
+  // Writes the tables as text, and their samples as CSV. Of tables without times the CSV has the last one.
   void write_tables(const std::string& name, const std::vector<Table>& tables, const json& measurements) {
     json timed = json::array();
     for (const json& row : measurements)
@@ -108,7 +108,7 @@ void make_tables(Study& study, Record& record) {
   }
 }
 
-// `asked`: the user named the backends, and knows which are not among them.
+// asked: the user named the backends, so missing ones are not reported.
 void print_heading(const Session& session, const StudyLoad& load, const Plan& plan, bool asked) {
   fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
   if (!session.find("cpu"))

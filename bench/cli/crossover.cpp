@@ -29,7 +29,7 @@ std::string over_best(const Timing& t) {
   return fmt::format("{} [{:.2f}, {:.2f}]", median, t.over_best.ratios.low, t.over_best.ratios.high);
 }
 
-// square/32 of collide_square/32
+// collide_square/32 becomes square/32.
 std::string short_name(const std::string& way) {
   return way.starts_with("collide_") ? way.substr(way.find('_') + 1) : way;
 }
@@ -74,7 +74,7 @@ std::string tables_of(const CrossoverSweep& sweep, size_t width) {
   return text;
 }
 
-// The size from which one of the two stays the faster; null if it is not, or not decided, at the largest size.
+// The size from which on this way is faster at every size; null if it is not, or undecided, at the largest.
 json faster_from(const std::vector<Timing>& timings, bool Timing::*faster) {
   json found = json::object();
   for (const Timing& t : timings) {
@@ -85,7 +85,7 @@ json faster_from(const std::vector<Timing>& timings, bool Timing::*faster) {
   return found;
 }
 
-// The rows of this finding, a line each.
+// A line for each timing with this loss.
 std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) {
   std::vector<std::string> found;
   for (const Timing& t : timings) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // spherepair energy: energy.json has an entry of `measurements` for each work, size and backend:
 //   n, scene, work, method, block, backend
-//   power                        what the GPU tells: instant, or the mean of a second
+//   power                        as the GPU reports it: instant, or the mean of a second
 //   windows                      seconds, steps, counter_watts, integrated_watts of each
 //   samples_ms, median_ms        the time of a step in each window
 //   counter_watts, integrated_watts   medians; the same idle: idle_counter_watts, idle_integrated_watts

@@ -6,7 +6,8 @@
 //   us_per_kernel    the step's time over its kernels
 //   host_ns_per_step, host_ns_per_launch   the host's time from the first call that enqueues 64 steps to the last one's
 //                    return, before the wait at their end, over the steps or their launches
-// and the timing core's fields, all paths of a size and a work in one contest; left_out has what is not timed, and why.
+// and the timing core's fields, all paths of a size and a work in one contest. left_out lists untimed paths with the
+// reason.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

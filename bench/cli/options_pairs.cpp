@@ -59,7 +59,7 @@ void add_output(CLI::App& command, PairsOptions& options) {
                      "Write the summary and context as JSON to this file; -: to standard output");
 }
 
-// None, the one that was named, or those of the neighbour list.
+// The files that --output stands for: none, the named one, or the files of the neighbour list.
 std::vector<std::string> output_files(const PairsOptions& options) {
   if (!options.csr) return {options.output_file};
   const NeighbourFiles files = neighbour_files(options.output_file, options.distances);

@@ -29,8 +29,8 @@ struct Found {
   Degrees degrees;
   std::vector<uint> counts;
   std::vector<Pair> pairs;
-  std::vector<ListedPair> listed;  // in place of them, in a periodic box
-  uint64_t within_reach = 0;       // of rounding to float32
+  std::vector<ListedPair> listed;  // replaces `pairs` in a periodic box
+  uint64_t within_reach = 0;       // pairs that rounding to float32 may have decided
 };
 
 struct Seconds {
@@ -70,7 +70,7 @@ SphereFile read_input(const PairsOptions& options, int threads) {
   return input;
 }
 
-// Leaves the pairs out that are farther apart than the cutoff: the spheres of the search are slightly larger.
+// Removes pairs that are farther apart than the cutoff: the search uses slightly larger spheres.
 void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& found) {
   std::erase_if(found.pairs, [&](const Pair& pair) {
     if (is_within(pair, points, cutoff)) return false;
@@ -133,7 +133,7 @@ std::string describe_points(const PairsReport& report) {
                      input.unused_radii ? "; the file's radii are not used" : "");
 }
 
-// What only --verbose prints behind the summary.
+// The text that only --verbose prints, after the summary.
 std::string details(const PairsReport& report) {
   const auto& [options, input, chosen, method, found, seconds] = report;
   std::string text = passed_over_text(chosen) + wrapped("method: " + describe(method), "", "  ") + "\n";
@@ -165,7 +165,7 @@ std::string summary(const PairsReport& report) {
   return text + (verbose ? details(report) : "");
 }
 
-// On standard error: what can have changed the result, and unless --quiet what slows it.
+// Prints warnings on standard error: causes of a changed result, and without --quiet causes of a slow search.
 void print_warnings(const PairsReport& report) {
   fmt::print(stderr, "{}", box_warning(report.input));
   if (report.options.verbosity != Verbosity::quiet)

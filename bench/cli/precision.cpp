@@ -29,7 +29,7 @@ PrecisionPlan make_precision_plan(const PrecisionOptions& options, bool hardware
   if (!options.steps.empty()) plan.error_steps = plan.time_steps = options.steps;
   plan.time_n = options.n ? options.n : hardware ? 1 << 22 : options.quick ? 1 << 14 : 1 << 16;
   plan.sampling = study_sampling(options.rounds);
-  plan.sampling.ahead = 0;  // each batch begins with an upload, which lasts longer, and has few launches
+  plan.sampling.ahead = 0;  // each batch begins with an upload, which takes longer than the batch, and has few launches
   if (!hardware) plan.sampling.software_seconds = 0.01;
   plan.motions = chosen_motions(options.methods, options.precisions);
   return plan;

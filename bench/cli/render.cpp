@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Steps of a run, or frames of a file: each image by its number.
+// A series of images: steps of a run, or frames of a file.
 struct Series {
   const CommandLine& line;
   const RenderOptions& options;
@@ -56,7 +56,7 @@ json record(const Series& series, uint64_t k, const Legend& legend) {
   return all;
 }
 
-// Brings the backend to an image's spheres, the next after the last, and finds their pairs.
+// Brings the backend to the spheres of image k and finds their pairs. Call it for one image after the other.
 Backend::State advance(const Series& series, uint64_t k) {
   Backend& backend = series.backend();
   if (series.options.frames || k == 0) upload_start(series.start(k), backend);
@@ -68,7 +68,7 @@ Backend::State advance(const Series& series, uint64_t k) {
   return state;
 }
 
-// pairs: as many as there are, or as there may be.
+// The facts in the legend of image k. pairs: their number, or an upper bound.
 std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pairs) {
   const Start& start = series.start(k);
   std::vector<std::string> facts = {counted(start.scene.size(), "sphere"), counted(pairs, "pair")};
@@ -79,7 +79,7 @@ std::vector<std::string> facts_of(const Series& series, uint64_t k, uint64_t pai
   return facts;
 }
 
-// At its widest, so that all images have room for it.
+// The widest legend of all images, so that each has room for its own.
 Legend widest_legend(const Series& series) {
   Legend legend = series.colouring->legend();
   uint64_t most = 0;
@@ -89,8 +89,8 @@ Legend widest_legend(const Series& series) {
   return legend;
 }
 
-// By the first image's spheres, and by all frames of a video: colours, legend, camera, box and ground are the same for
-// all images.
+// Chooses colours, legend, camera, box and ground from the first image's spheres or from all frames: the same for all
+// images.
 void compose(Series& series, const Backend::State& first, const std::vector<double>& values) {
   const RenderOptions& options = series.options;
   series.colouring = colouring_of(series.by(), series.starts, values, options.colour_range.has_value());
@@ -109,8 +109,8 @@ void compose(Series& series, const Backend::State& first, const std::vector<doub
   place_ground(image.look, options.ground, series.starts, first.positions, image.camera.up);
 }
 
-// By what the colours of all images are chosen: --color-range, or a sample of the speeds or contacts in all images of a
-// video, for which the run is made once before it is drawn. Empty: by the first image.
+// The values that choose the colours of all images: --color-range, or a sample of the speeds or contacts in all images
+// of a video. For the sample the run is made once before it is drawn. Empty: the first image's values choose.
 std::vector<double> values_for_colours(const Series& series, Progress& progress) {
   const auto& range = series.options.colour_range;
   if (range) return {range->front(), range->back()};
@@ -133,7 +133,7 @@ void require_spheres(const Series& series, uint64_t k, bool some) {
   refuse_blank_image(series.start(0), current_state(series.backend()).positions);
 }
 
-// Also of later images: those without a sphere, and values beyond the colours' range.
+// Remarks about all images: images without a sphere, and values beyond the colours' range.
 struct Remarks {
   uint64_t blank = 0, beyond = 0;
   std::string undrawn = {};  // in the first image
@@ -224,10 +224,10 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   } else {
     starts.push_back(start_of(options.start, line.open.threads));
   }
-  if (options.steps > 0 || options.images > 1) starts.front().at_rest = false;  // they fall
+  if (options.steps > 0 || options.images > 1) starts.front().at_rest = false;  // the spheres fall
   fit_for_drawing(starts, options.camera, options.ground);
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
-  const bool by_grid = !options.plain && options.method.empty();  // its cells are those of the light
+  const bool by_grid = !options.plain && options.method.empty();  // light uses the grid's cells
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   Series series{line, options, starts, chosen, method, !options.plain};

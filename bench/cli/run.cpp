@@ -107,7 +107,7 @@ std::string heading(const RunOptions& options, const ChosenBackend& chosen, cons
   return text;
 }
 
-// What a run prints; --quiet leaves out all of it.
+// The report of a run; --quiet prints none of it.
 std::string report_text(const RunOptions& options, const ChosenBackend& chosen, const Start& start,
                         const CollideOptions& collide, const Outcome& outcome, const RunTimes& times) {
   if (options.verbosity == Verbosity::quiet) return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The studies among the subcommands: their options, and what runs them.
+// The studies among the subcommands: their options, and the functions that run them.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -15,20 +15,21 @@
 
 namespace spherepair {
 
-// What each optimisation and each API feature saves. Each is timed on and off, in interleaved rounds, after a check
-// that both give the same results.
+// Measures the saving of each optimisation and API feature. Each is timed on and off, in interleaved rounds, after a
+// check that both give the same results.
 std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command);
 int ablate_command(const CommandLine& line, const AblateOptions& options);
 
-// From how many spheres on the grid is faster than all pairs, and whether Method::automatic chooses the faster one.
+// Measures from how many spheres on the grid is faster than all pairs, and whether Method::automatic chooses the faster
+// one.
 std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command);
 int crossover_command(const CommandLine& line, const CrossoverOptions& options);
 
-// How a step's launches reach the GPU, and what each way takes.
+// Times the ways in which a step's launches reach the GPU.
 std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command);
 int launches_command(const CommandLine& line, const LaunchesOptions& options);
 
-// The energy of a step on the GPU, by NVML.
+// Measures the energy of a step on the GPU by NVML.
 std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command);
 int energy_command(const CommandLine& line, const EnergyOptions& options);
 
@@ -43,13 +44,13 @@ struct PrecisionOptions {
 std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command);
 int precision_command(const CommandLine& line, const PrecisionOptions& options);
 
-// Error and run time of contacts by law, time step and sum of the impulses, and what the sums cost.
+// Measures error and run time of contacts by law and time step, and the cost of each way to sum impulses.
 struct ContactsOptions {
   std::vector<std::string> backends, measurements, laws, steps;  // empty: all; steps: by machine
   std::vector<uint64_t> sizes;                                   // empty: by machine
-  uint64_t averaged = 0;                                         // of whole steps, their mean; 0: by machine
+  uint64_t averaged = 0;                                         // whole steps whose mean is taken; 0: by machine
   uint64_t rest_layers = 10;
-  std::vector<std::string> drag_steps;  // DRAG:STEPS of a stage each; empty: RestPlan's
+  std::vector<std::string> drag_steps;  // DRAG:STEPS, one for each stage; empty: RestPlan's
   int rounds = 11;
   std::string results;  // empty: default_results()
 };
@@ -69,10 +70,10 @@ struct SweepCommandOptions {
   std::vector<uint64_t> sizes;                 // empty: by machine
   std::vector<double> packing_fractions = {0.3, 0.05};
   std::vector<std::string> orders = {"cold", "warm"};
-  uint block = 0;  // 0: as auto chooses it
+  uint block = 0;  // 0: auto's choice
   int rounds = 11;
   std::string results;  // a file per configuration; empty: default_results()
-  bool resume = false;  // skip configurations whose file is there
+  bool resume = false;  // skips configurations whose file exists
 };
 std::shared_ptr<SweepCommandOptions> add_sweep_options(CLI::App& command);
 int sweep_command(const CommandLine& line, const SweepCommandOptions& options);

@@ -32,14 +32,14 @@ namespace {
 
 constexpr const char* kFormat = "spherepair sweep 1";
 
-// Whether the file is there and whole.
+// Whether the file exists and is complete.
 bool is_record(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return false;
   const json found = json::parse(FileBytes(file).bytes(), nullptr, false);
   return found.is_object() && found.value("format", json()) == kFormat;
 }
 
-// 16 hexadecimal digits.
+// A hash of the key in 16 hexadecimal digits.
 std::string hash_of(const json& key) {
   uint64_t hash = 0;
   for (const unsigned char letter : json_line(key)) hash = splitmix64(hash ^ letter);
@@ -69,7 +69,7 @@ std::vector<SweepPoint> points_of(const Session& session, const SweepCommandOpti
   return points;
 }
 
-// Measured in the same run, so that each time can be stated as a share of the floor.
+// Measures peak rates in the same run, so that each time can be stated as a share of the floor.
 PeakRates measure_peak_rates(Session& session, const Sampling& sampling, Progress& progress) {
   PeakRates peak_rates{.issue = issue_rate(session), .copy = {}};
   for (Backend* device : session.devices())
@@ -146,7 +146,7 @@ class Sweep {
 
   const CommandLine& line_;
   const SweepCommandOptions& options_;
-  const StudyLoad load_;  // before the session
+  const StudyLoad load_;  // constructed before the session
   Session session_;
   Sampling sampling_;
   std::optional<PeakRates> peak_rates_;  // measured when first needed

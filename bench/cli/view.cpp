@@ -15,11 +15,11 @@ namespace {
 
 struct Display {
   std::unique_ptr<Window> window;
-  bool shared;  // its context is for everything that draws
+  bool shared;  // its OpenGL context is for all that draws
 };
 
-// The window's context is shared where OpenGL's backend would run on the same renderer: not where a window without the
-// GPU's driver, as through VNC, would take the backends to software, nor where the user names a GPU.
+// Shares the window's context if OpenGL's backend would run on the same renderer. It does not if the user names a GPU,
+// or if the window lacks the GPU's driver (VNC): the backends would then run in software.
 Display open_display(const std::string& title, const ViewOptions& options, const OpenOptions& open) {
   const auto window = [&](bool shared) { return open_window(title, options.width, options.height, shared); };
   if (!open.gl_device.empty() || !open.cuda_device.empty() || !open.vulkan_device.empty())
@@ -29,12 +29,12 @@ Display open_display(const std::string& title, const ViewOptions& options, const
     renderer = open_backend("opengl", open)->info().device;
     std::unique_ptr<Window> shared = window(true);
     if (shared->renderer() == renderer) return {std::move(shared), true};
-  } catch (const BackendError&) {  // no OpenGL 4.5 here, or no display: said by what follows
+  } catch (const BackendError&) {  // no OpenGL 4.5 or no display: the next attempt reports it
   }
   return {window(false), false};
 }
 
-// A GPU if there is one, else the CPU.
+// The backend of a GPU if there is one, else the CPU.
 std::string preferred_backend(const Session& session, const OpenOptions& open) {
   if (!open.allow_gpu) return "cpu";
   for (const char* name : {"cuda", "opengl", "vulkan"})

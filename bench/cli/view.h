@@ -14,7 +14,7 @@ struct ViewOptions {
   StartOptions start;
   uint width = 1280, height = 720;  // of the window, pixels
   std::optional<double> speed;      // see Pace; none: 1, or 0 with `frames`
-  uint64_t frames = 0;              // after which the window closes; 0: never
+  uint64_t frames = 0;              // the window closes after them; 0: never
   std::string screenshot_file;      // of the last frame
   std::string keys;                 // one key press per frame, as if by the user
 };

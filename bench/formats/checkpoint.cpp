@@ -19,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 constexpr char magic[] = "SPHCHECK";
-constexpr uint format_version = 1, version_with_contacts = 5;  // earlier ones lack what ContactHeader says
+constexpr uint format_version = 1, version_with_contacts = 5;  // earlier versions lack fields of ContactHeader
 
 struct Header {
   char magic[8];
@@ -81,7 +81,7 @@ class Reader {
     item_ = at_;
     if (at_ != file_.bytes().size()) fail("the end", counted(file_.bytes().size() - at_, "byte") + " more");
   }
-  // At the item taken last.
+  // Throws with the position of the item taken last.
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
     file_.fail_at_byte(item_, expected, found);
   }
@@ -137,7 +137,7 @@ ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHe
           .skin = c.skin};
 }
 
-// Number of elements of a part of this checkpoint.
+// The number of elements that a part of this checkpoint must have.
 uint64_t wanted_size(const Checkpoint& c, const void* part) {
   const MotionOptions& motion = c.scene.motion;
   const uint64_t n = c.scene.size(), anchored = motion.method == MotionMethod::anchored;

@@ -3,12 +3,12 @@
 //
 // The file is little-endian. First 8 bytes "SPHCHECK", then as 32-bit numbers the version (1), the motion method, the
 // precision, the steps that `anchored` counts, whether all radii are equal, and the length of the scene's name; as
-// float32 dt, gravity, plane and restitution; as 64-bit numbers n and the steps done. Of a run with contacts the
-// version is 5, and there follow their law, walls, both exponents of units (32-bit), the stiffness, the corners of the
-// box, the drag, the skin and the density (float32). Version 2 lacks these three, 3 the last two, 4 the density. Then
-// the name, and a 64-bit checksum of all that. Then seven parts, each a 64-bit length in bytes, the bytes, and a 64-bit
-// checksum of the bytes: positions, velocities (vec4[n] each), wide state, anchors, flights, steps of the anchors, due
-// steps (as layout.h describes SLOT_WIDE to SLOT_NEXT_EVENT; empty if the method has none).
+// float32 dt, gravity, plane and restitution; as 64-bit numbers n and the steps done. A run with contacts has version
+// 5, and here their law, walls, both exponents of units (32-bit), the stiffness, the corners of the box, the drag, the
+// skin and the density (float32). Version 2 lacks drag, skin and density, version 3 skin and density, version 4 the
+// density. Then the name, and a 64-bit checksum of all so far. Then seven parts, each a 64-bit length in bytes, the
+// bytes, and a 64-bit checksum of the bytes: positions, velocities (vec4[n] each), wide state, anchors, flights, steps
+// of the anchors, due steps (as layout.h describes SLOT_WIDE to SLOT_NEXT_EVENT; empty if the method has none).
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct Checkpoint {
 };
 
 // Atomically replaces the file. Both throw std::invalid_argument naming the file and the error: not a checkpoint,
-// another version, truncated or damaged in which part, inconsistent contents.
+// another version, inconsistent contents, or the part that is truncated or damaged.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 

@@ -132,10 +132,10 @@ class Checker {
         });
   }
 
-  // Before the first step the float32 numbers are the start's, which can be finer than a unit.
+  // Before the first step the float32 numbers are those of the scene, which can be finer than a unit.
   void check_fixed_start() const {
     const std::vector<uint> made = fixed_state(scene_);
-    const uint64_t parts = scene_.contact.drag > 0 ? 3 : 6;  // with drag, versions begin with other momenta
+    const uint64_t parts = scene_.contact.drag > 0 ? 3 : 6;  // with drag, program versions begin with different momenta
     const auto wrong = [&](uint64_t i) {
       for (uint64_t k = 0; k < parts; ++k)
         if (load_real<int64_t>(motion_.wide, k * n_ + i) != load_real<int64_t>(made, k * n_ + i)) return true;

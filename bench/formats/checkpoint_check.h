@@ -5,8 +5,8 @@
 
 namespace spherepair {
 
-// Checks that a run can have saved this checkpoint; checksums detect only damage. Throws std::invalid_argument naming
-// the file, the part, the sphere, the expected and the actual value.
+// Checks that a run can have saved this checkpoint, since checksums detect only damage. Throws std::invalid_argument
+// naming the file, the part, the sphere, the expected and the actual value.
 void check_contents(const Checkpoint& checkpoint, const std::string& file);
 
 }  // namespace spherepair

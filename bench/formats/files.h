@@ -14,7 +14,7 @@ namespace spherepair {
 // Replaces a regular file atomically (ReplacedFile).
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-// The same; to standard output where the file is `-`; nothing is written where it is empty.
+// The same, but `-` writes to standard output, and an empty name writes nothing.
 void write_text(const std::string& file, const std::string& text);
 void write_json(const std::string& file, const json& record);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that is written while a run goes on.
+// A file that a run writes while it moves.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ bool is_changed(const MotionChoice& motion) {
   return motion.dt || motion.restitution || motion.gravity || motion.drag || motion.contact.stiffness;
 }
 
-// The checkpoint's run goes on; or, with other parameters, another one begins with its spheres.
+// Continues the checkpoint's run or, with other parameters, begins a new run from its spheres.
 Start start_from_checkpoint(const std::string& file, const MotionChoice& motion) {
   Checkpoint saved = read_checkpoint(file);
   const json record = {{"file", file}, {"n", saved.scene.size()}, {"step", saved.step}};
@@ -38,15 +38,16 @@ Start start_from_checkpoint(const std::string& file, const MotionChoice& motion)
   return {std::move(scene), label, note, record};
 }
 
-// The ground of the paper's scenes, or a lower one: motion would lift spheres that begin below it.
+// Lowers the plane below all spheres: motion would lift spheres that begin below it.
 void lower_plane(Scene& scene) {
   float lowest = 0;
   for (const vec4& sphere : scene.positions) lowest = std::min(lowest, sphere.y - sphere.w);
   if (lowest < scene.plane) scene.plane = std::max(std::floor(lowest) - 1, -std::numeric_limits<float>::max());
 }
 
-// Contacts count lengths in units that reach from the plane to the farthest sphere. A plane metres below spheres of a
-// micrometre would leave none for their overlaps: it is then as far below them as they extend.
+// Raises a plane that is too far below very small spheres with contacts. Units of length must reach from the plane to
+// the farthest sphere: with a plane metres below spheres of a micrometre they are too coarse for overlaps. The plane
+// then lies below the spheres by their own extent.
 void raise_plane(Scene& scene, const ContactChoice& contact) {
   if (contact.law == ContactLaw::none || scene.positions.empty() || units_are_fine(scene)) return;
   vec4 low = {INFINITY, INFINITY, INFINITY, 0}, high = {-INFINITY, -INFINITY, -INFINITY, 0};
@@ -70,7 +71,7 @@ void take_plane(Scene& scene, float plane, bool contacts) {
       fmt::format("sphere {} reaches down to y = {}, below the plane: give --plane {} or less", i, bottom(i), lower));
 }
 
-// --walls of a file that has a box are those of the file.
+// Takes the walls of --walls from the file's box if it has one.
 ContactChoice contacts_of(const SphereFile& input, const MotionChoice& motion) {
   ContactChoice contact = contact_choice(motion);
   if (!contact.walls || contact.box || !input.box) return contact;

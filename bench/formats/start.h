@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The start of a run: a named scene, spheres from a file, or a checkpoint; and its motion.
+// Makes the start of a run: a named scene, spheres from a file, or a checkpoint; and its motion.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct StartOptions {
   std::vector<std::string> columns;                                       // of that file
   bool decimal_comma = false;                                             // of that file, if it is text
   bool ignore_periodic = false;                                           // of that file
-  bool species = false;                                                   // of that file are kept
-  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the best by error and time
+  bool species = false;                                                   // whether species of that file are kept
+  MotionChoice motion = {.method = motion_name(MotionMethod::anchored)};  // the default: the best in error and time
   std::string resume_file;                                                // a checkpoint, instead of all of the above
 };
 
@@ -33,29 +33,29 @@ struct Start {
   json record;
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
-  bool at_rest = false;                    // spheres of a file, none with a velocity
+  bool at_rest = false;                    // the spheres are a file's and none has a velocity
   Rounding rounding = {};                  // of a file's numbers to float32
-  std::vector<std::string> species = {};   // that were kept ...
-  std::vector<uint> species_index = {};    // ... of each sphere
-  std::string file = {};                   // that the spheres come from ...
-  bool unread_species = false;             // ... and whose species were not asked for
-  int length_exponent = 0;                 // lengths are 2^this times those of the file: drawing_scale.h
+  std::vector<std::string> species = {};   // names, if species were kept ...
+  std::vector<uint> species_index = {};    // ... and the index into them of each sphere
+  std::string file = {};                   // the file that the spheres come from ...
+  bool unread_species = false;             // ... has species that were not asked for
+  int length_exponent = 0;                 // lengths are 2^this times the file's: drawing_scale.h
 };
 
 // Makes the scene or reads the file or checkpoint. threads: 0: all cores.
 Start start_of(const StartOptions& options, int threads);
 
-// All frames of an XYZ file.
+// A start for each frame of an XYZ file.
 std::vector<Start> start_of_frames(const StartOptions& options, int threads);
 
 // A line that says where moving spheres bounce.
 std::string plane_text(const Scene& scene);
 
-// Lines that say what was chosen for contacts, and a warning where the time step is coarse: longer than a tenth of a
-// contact. Empty without contacts.
+// Lines with the parameters of contacts, and a warning if the time step is longer than a tenth of a contact. Empty
+// without contacts.
 std::string describe_contacts(const Scene& scene);
 
-// A line for --spheres, which writes no species; empty where the start's file has none.
+// Warns that --spheres writes no species; empty if the start's file has none.
 std::string species_warning(const Start& start);
 
 // Declares --input and --resume as inputs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A video, encoded by an ffmpeg process.
+// Writes a video through an ffmpeg process.
 #pragma once
 
 #include <cstdio>

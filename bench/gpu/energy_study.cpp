@@ -16,9 +16,9 @@
 namespace spherepair {
 namespace {
 
-constexpr double chunk_seconds = 0.05;  // of steps between two waits
-constexpr uint64_t steps_probed = 20;   // whose time tells how many these are
-constexpr uint64_t seed = 1;            // of the order
+constexpr double chunk_seconds = 0.05;  // steps between two waits last this long
+constexpr uint64_t steps_probed = 20;   // to find how many steps that is
+constexpr uint64_t seed = 1;            // of the random order
 
 std::vector<uint64_t> sizes_of(const std::string& work, const EnergyOptions& options) {
   if (!options.sizes.empty()) return options.sizes;
@@ -125,7 +125,7 @@ void EnergyStudy::check(const std::vector<Row>& rows) {
   session_.comparisons.require_complete();
 }
 
-// Behind the check, with the backends open: half a window for the power to fall, then one window.
+// Measures idle power after the check, with the backends open: half a window for the power to fall, then one window.
 void EnergyStudy::measure_idle() {
   const auto rest = [] {
     std::this_thread::sleep_for(std::chrono::duration<double>(chunk_seconds));

@@ -17,10 +17,11 @@ struct EnergyOptions {
   std::string results = {};          // folder; empty: a new one
 };
 
-// All pairs of a gas by collide_triangle; the grid of the same, in cell order or in random order, which it sorts first.
+// The timed works: all pairs of a gas by collide_triangle; the grid of the same gas in cell order; and in random order,
+// which the grid sorts first.
 const std::vector<std::string>& energy_works();
 
-// Above it the two methods of a row disagree about its energy.
+// If the two methods of a row differ by more, they disagree about its energy.
 constexpr double energy_tolerance = 0.03;
 
 class EnergyStudy {

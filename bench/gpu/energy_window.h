@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The power of a GPU over a window of time, by two methods: its energy counter, and its power integrated.
+// Measures a GPU's power over a window of time by two methods: its energy counter, and its integrated power.
 #pragma once
 
 #include <functional>
@@ -19,19 +19,19 @@ struct MeanPower {
   double counter, integrated;  // watts
 };
 
-// Both over the same time: from the first tick of the counter, which moves in steps of some 0.1 s, to its last one. A
-// counter that begins anew at 2^32 or 2^64 goes on. Throws BackendError without ticks.
+// Both methods over the same time: from the first tick of the counter, which advances about every 0.1 s, to its last
+// one. A counter may wrap at 2^32 or 2^64. Throws BackendError without ticks.
 MeanPower mean_power(std::span<const PowerSample> samples);
 
 struct EnergyWindow {
   MeanPower power;
   uint64_t steps = 0;
-  double seconds = 0;  // that they took
+  double seconds = 0;  // that the steps took
   double step_seconds() const { return seconds / double(steps); }
 };
 
-// Works for `ahead` seconds, then for `seconds`, while a thread takes a sample every 10 ms. `work` takes some
-// 50 ms and returns the number of its steps; 0 for none, whose power is that of an idle GPU.
+// Works for `ahead` seconds, then for `seconds`, while a thread takes a sample every 10 ms. `work` takes some 50 ms and
+// returns the number of its steps; 0 steps measure an idle GPU.
 EnergyWindow measure_window(const PowerMeter& meter, double seconds, double ahead,
                             const std::function<uint64_t()>& work);
 

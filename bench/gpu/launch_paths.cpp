@@ -18,7 +18,7 @@ bool are_overlapping_steps(const WorkCounts& made) { return are_steps(made) && m
 bool are_early_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early > 0; }
 bool is_one_launch(const WorkCounts& made) { return made.launches == 1 && made.steps > 1; }
 
-// Of the grid alone: what overlaps the step before is a part of it.
+// Paths that overlap the previous step exist only for the grid: the overlapping launch is a part of it.
 constexpr LaunchPath paths[] = {
     {.name = "waited",
      .summary = "each dispatch behind all barriers, and the host waits for it",
@@ -128,7 +128,7 @@ SceneOptions launch_scene(LaunchWork work, uint64_t n) {
 CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
   if (work == LaunchWork::grid)
     return {.method = Method::collide_grid,
-            .grid = {.keep_order = false, .keep_cells = false},  // in software few spheres are sorted by counting
+            .grid = {.keep_order = false, .keep_cells = false},  // in software few spheres would be sorted by counting
             .api = path.api};
   return {.method = Method::collide_triangle, .api = path.api};
 }

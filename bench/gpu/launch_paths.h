@@ -8,9 +8,9 @@
 
 namespace spherepair {
 
-// Empty: a chain of empty kernels of one group, each behind the one before: the floor of a path. All pairs: a move,
-// which clears the results, and collide_triangle; spheres of the scene `random`. Grid: the search of spheres in random
-// order, which sorts them first as it does by default, three launches on a GPU; spheres of the scene `uniform`.
+// empty: a chain of empty kernels of one group that wait for each other: the floor of a path. all_pairs: a move, which
+// clears the results, and collide_triangle, with the scene `random`. grid: a search in random order with the scene
+// `uniform`, which sorts first, in three launches on a GPU.
 enum class LaunchWork { empty, all_pairs, grid };
 constexpr uint empty_launches = 8;  // of a step
 const char* launch_work_name(LaunchWork work);
@@ -21,7 +21,7 @@ struct LaunchPath {
   ApiOptions api = {};
   bool of_grid = true, of_all_pairs = true;
   bool persistent = false;
-  bool (*shown)(const WorkCounts&);  // whether these counts, of equal steps behind some others, are of this path
+  bool (*shown)(const WorkCounts&);  // whether the counts of equal steps, after some others, show this path
   bool has(LaunchWork work) const {
     if (work == LaunchWork::empty) return of_all_pairs && !persistent;  // empty kernels overlap nothing
     return work == LaunchWork::grid ? of_grid : of_all_pairs;
@@ -31,10 +31,10 @@ std::span<const LaunchPath> launch_paths();
 
 CollideOptions launch_options(const LaunchPath& path, LaunchWork work);
 
-// Enqueues so many steps.
+// Enqueues `steps` steps.
 void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps);
 
-// So many steps, the last one with its results.
+// Runs `steps` steps, the last one as a complete search with results.
 void run_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps);
 
 }  // namespace spherepair

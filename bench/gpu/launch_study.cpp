@@ -14,15 +14,15 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t steps_checked = 6;    // the third and later ones of a graph are replays
-constexpr uint64_t steps_counted = 128;  // behind those: more than the longest graph holds
-constexpr uint64_t steps_enqueued = 64;  // so few that no API's queue is full, and the host waits for none
+constexpr uint64_t steps_counted = 128;  // after those: more than the longest graph holds
+constexpr uint64_t steps_enqueued = 64;  // so few that no API's queue is full and the host never waits
 
 std::string name_of(const LaunchPath& path) { return fmt::format("{} {}", path.backend, path.name); }
 
 uint64_t working_set(LaunchWork work, const Scene& scene) {
   if (work == LaunchWork::empty) return 0;
   if (work == LaunchWork::grid) return search_set_bytes(scene.size(), Method::collide_grid, false);
-  return motion_set_bytes(scene.size(), scene.motion);  // which all pairs read again
+  return motion_set_bytes(scene.size(), scene.motion);  // all pairs read the same bytes again
 }
 
 WorkCounts difference(const WorkCounts& after, const WorkCounts& before) {
@@ -96,7 +96,7 @@ void LaunchStudy::expect(LaunchWork work, const Scene& scene) {
   if (work == LaunchWork::all_pairs) expected_state_ = current_state(*reference.backend);
 }
 
-// Whether the path is to be had here; DifferenceFound where its results are not the reference's.
+// Whether this device offers the path. Throws DifferenceFound if its results are not the reference's.
 bool LaunchStudy::check(Row& row, LaunchWork work, const Scene& scene, const SceneOptions& options) {
   const auto leave_out = [&](const std::string& reason) {
     left_out.push_back(
@@ -150,8 +150,8 @@ Contender LaunchStudy::contender_for(const Row& row, LaunchWork work, const Scen
   return contender;
 }
 
-// Seconds of the host until a step is enqueued, before any wait at the end: the median of as many short batches as the
-// study has rounds.
+// The host's seconds to enqueue a step, without the wait at the end: the median of as many short batches as the study
+// has rounds.
 double LaunchStudy::enqueuing(const Contender& contender) const {
   std::vector<double> seconds;
   for (int round = 0; round < sampling_.rounds; ++round)
@@ -177,7 +177,7 @@ void LaunchStudy::record(const Row& row, LaunchWork work, const SceneOptions& op
   measurements.push_back(std::move(entry));
 }
 
-// One contest: K is the same for all paths of both APIs, and they take their turns in a row.
+// Times all paths in one contest: they share K and take their turns one right after the other.
 void LaunchStudy::time(const std::vector<Row>& paths, LaunchWork work, const Scene& scene,
                        const SceneOptions& options) {
   std::vector<Contender> contenders;

@@ -48,8 +48,8 @@ class LaunchStudy {
   std::function<void()> write_;
   Sampling sampling_;
   Progress progress_;
-  StepResult expected_;            // of the reference, at this size ...
-  Backend::State expected_state_;  // ... where the spheres move
+  StepResult expected_;            // the reference's result at this size ...
+  Backend::State expected_state_;  // ... and its state, if spheres move
 };
 
 }  // namespace spherepair

@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-// NVML's interface, as nvml.h declares it.
+// The used part of NVML's interface, as nvml.h declares it.
 constexpr int success = 0;
 constexpr unsigned power_instant = 186;  // NVML_FI_DEV_POWER_INSTANT: milliwatts
 constexpr int value_is_uint = 1;         // NVML_VALUE_TYPE_UNSIGNED_INT
@@ -107,7 +107,7 @@ PowerMeter::PowerMeter(const std::string& uuid, const std::string& library)
                     uuid, others.empty() ? "none" : others));
   FieldValue value = power_field();
   instant_ = library_->field_values(device_, 1, &value) == success && value.result == success;
-  millijoules(), watts();  // whether they are there
+  millijoules(), watts();  // throw if the GPU does not offer them
 }
 
 PowerMeter::~PowerMeter() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The energy counter and the power of a GPU, by NVML, which is loaded when it is needed: the program neither needs
-// it to be built nor to start.
+// Reads the energy counter and the power of a GPU by NVML. Loads NVML on first use: the program builds and starts
+// without it.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace spherepair {
 
 class PowerMeter {
  public:
-  // Of the GPU with this UUID, 32 hex digits as a backend tells it. Throws BackendError: without the library, without
-  // the GPU (names those that are there) and without an energy counter.
+  // For the GPU with this UUID, 32 hex digits as from a backend. Throws BackendError without the library, the GPU
+  // (lists the GPUs) or an energy counter.
   explicit PowerMeter(const std::string& uuid, const std::string& library = "libnvidia-ml.so.1");
   ~PowerMeter();
 
-  uint64_t millijoules() const;  // of the energy counter, since some moment
-  double watts() const;          // now, or where the GPU does not tell that the mean of about a second
-  bool instant() const;          // which of both
+  uint64_t millijoules() const;  // of the energy counter, from an arbitrary start
+  double watts() const;          // now or, if the GPU does not report that, the mean of about a second
+  bool instant() const;          // whether watts() are those of now
 
  private:
   struct Library;

@@ -40,7 +40,7 @@ std::vector<double> spheres_ahead(Backend& backend, const View& view, DrawMethod
   return ahead;
 }
 
-// Puts the ground, drawn alone, where no sphere is nearer.
+// Adds the separately drawn ground where no sphere is nearer.
 void add_ground(std::vector<uint>& image, std::vector<double>& ahead, const std::vector<uint>& ground,
                 const View& view) {
   for (uint k = 0; k < ahead.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Antialiased images: the mean of images with subpixel offsets; and cameras from their options.
+// Draws antialiased images, the mean of images with subpixel offsets, and makes cameras from their options.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ImageOptions {
   Look look;
   uint width, height, samples;
   DrawMethod method = DrawMethod::compute;
-  std::optional<Bounds> box = {};  // its edges are drawn
+  std::optional<Bounds> box = {};  // draws its edges
 };
 
 struct DrawnImage {
@@ -35,10 +35,10 @@ Camera camera_of(const CameraOptions& options, const Bounds& bounds, double aspe
 // The offset of sample k in pixels: evenly distributed over a pixel; 0 for a single sample.
 std::array<double, 2> jitter(uint k, uint samples);
 
-// Draws the uploaded spheres as they stand. What OpenGL draws gets the box's edges and the ground, with their shadows
-// on it, from the same view by compute; occlusion and shadows on the spheres themselves are compute's alone.
+// Draws the backend's spheres. An image through OpenGL's pipeline gets the box's edges, and from compute kernels the
+// ground with shadows on it. Occlusion and shadows on the spheres themselves exist only in compute.
 DrawnImage draw_image(Backend& backend, const ImageOptions& options);
-DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // one of its samples
+DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // sample k of that image
 
 json to_json(const Camera& camera);
 json to_json(const View& view);  // all parameters of the draw

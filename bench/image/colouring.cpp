@@ -13,7 +13,7 @@ namespace spherepair {
 namespace {
 
 constexpr std::array known = {"contacts", "radius", "speed", "species"};
-// Of Okabe and Ito, told apart also by the colour-blind.
+// Okabe and Ito's palette, which colour-blind people can tell apart.
 constexpr std::array<uint, COLOURS> species_palette = {0x56B4E9, 0xE69F00, 0x009E73, 0xCC79A7,
                                                        0xF0E442, 0x0072B2, 0xD55E00, 0x999999};
 
@@ -21,7 +21,7 @@ std::string range_label(const std::string& low, const std::string& high) {
   return low == high ? low : low + "–" + high;
 }
 
-// With as few digits as tell the borders apart, three at least.
+// The borders as text, with the fewest digits, at least three, that tell them apart.
 std::vector<std::string> texts_of(const std::vector<double>& borders) {
   std::vector<std::string> texts;
   for (int digits = 3; digits <= 9; ++digits) {
@@ -47,7 +47,7 @@ Colouring::Colouring(ColourBy by, const std::vector<double>& values, const std::
   by == ColourBy::contacts ? choose_contacts(values) : choose_range(values, clipped);
 }
 
-// One class a number up to seven contacts. Else none, and seven equal ranges of all but the 2 % with the most.
+// Up to seven contacts each number is a class. Else the classes are 0 and seven equal ranges up to the 98 % quantile.
 void Colouring::choose_contacts(std::vector<double> values) {
   palette_ = contact_look().palette;
   limits_ = {1};
@@ -71,7 +71,7 @@ void Colouring::choose_contacts(std::vector<double> values) {
   if (limits_[0] > 1) labels_[0] = fmt::format("under {}", limits_[0]);
 }
 
-// Equal intervals; of values that differ more than tenfold equal ratios, where none is 0.
+// Chooses equal intervals, or equal ratios if the values differ more than tenfold and none is 0.
 void Colouring::choose_range(const std::vector<double>& values, bool clipped) {
   const double low = *std::ranges::min_element(values);
   palette_ = range_look(COLOUR_BY_RADIUS, 0, 1).palette;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which colours spheres get, from the range of the data, and what the legend says of them.
+// Chooses the colours of spheres from the range of the data, and the labels of the legend.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@ const char* name_of(ColourBy by);
 
 class Colouring {
  public:
-  // values: of the first image's spheres, or of all images'; unit: of radius or speed, or empty.
-  // clipped: both ends of a range, beyond which values have the first and the last colour.
+  // values: of the first image's spheres, or of all images'. unit: of radius or speed, or empty. clipped: values are
+  // both ends of a range; numbers beyond them get the first and the last colour.
   Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit, bool clipped = false);
-  // By species: values are indices into the names. Where there are more than colours, the rarest share one.
+  // By species: values are indices into the names. If there are more species than colours, the rarest share one.
   Colouring(const std::vector<std::string>& names, const std::vector<double>& values);
 
   std::vector<uint> classes(const std::vector<double>& values) const;  // for Backend::set_classes
   Look look() const;
   Legend legend() const;                                     // without facts
-  double highest() const { return highest_; }                // of the values that it was made from
-  const std::string& grouping() const { return grouping_; }  // what shares a colour; empty: nothing
+  double highest() const { return highest_; }                // the largest value that it was made from
+  const std::string& grouping() const { return grouping_; }  // the values that share a colour; empty: none
 
  private:
   void choose_contacts(std::vector<double> values);
@@ -34,7 +34,7 @@ class Colouring {
 
   std::string title_, grouping_;
   std::array<uint, COLOURS> palette_{};
-  std::vector<double> limits_;       // ascending: a sphere's class is how many its value reaches
+  std::vector<double> limits_;       // ascending: a sphere's class is the number of limits that its value reaches
   std::vector<uint> class_of_name_;  // of species
   std::vector<std::string> labels_;
   double highest_ = 0;

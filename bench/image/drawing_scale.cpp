@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-constexpr double least_radius = 0x1p-30, most = 0x1p50;  // of in_camera (draw.h), as is the distance from the eye
+constexpr double least_radius = 0x1p-30, most = 0x1p50;  // in_camera's limits (draw.h) for radii and distances
 constexpr int wanted_exponent = 30;                      // of the farthest number: far from the eye is far below `most`
 
 double farthest(const vec4& s) {
@@ -51,7 +51,7 @@ void fit_for_drawing(std::vector<Start>& starts, CameraOptions& camera, std::str
   if (!keeps_all_bits(starts, exponent)) return;
   for (Start& start : starts) {
     start.length_exponent = exponent;
-    start.scene.plane = -std::ldexp(1.0f, wanted_exponent + 2);  // below all: a start lifts spheres onto it
+    start.scene.plane = -std::ldexp(1.0f, wanted_exponent + 2);  // below all: a start lifts spheres onto the plane
     for (vec4& s : start.scene.positions)
       s = {std::ldexp(s.x, exponent), std::ldexp(s.y, exponent), std::ldexp(s.z, exponent), std::ldexp(s.w, exponent)};
   }

@@ -54,7 +54,7 @@ void place_ground(Look& look, const std::string& wanted, const std::vector<Start
     if (first.at_rest)
       throw std::invalid_argument(
           fmt::format("--ground plane: the spheres of {} are at rest and have no plane; give lowest", first.label));
-    look.ground_normal = {0, 1, 0};  // whatever the camera has upwards
+    look.ground_normal = {0, 1, 0};  // for any up direction of the camera
     look.ground = double(first.scene.plane);
     return;
   }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Records of earlier versions have no format.
+// Whether the file is an image's record, also one of an earlier version, which has no format.
 bool is_record(const fs::path& path) {
   const json found = json::parse(FileBytes(path).bytes(), nullptr, false);
   if (!found.is_object()) return false;
@@ -47,7 +47,7 @@ void add_image(OutputFiles& files, const std::string& option, const fs::path& im
 ImageWriters::~ImageWriters() {
   while (!jobs_.empty()) try {
       finish_one();
-    } catch (...) {  // another error ended the work
+    } catch (...) {  // an earlier error ended the work
     }
 }
 

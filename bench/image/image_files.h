@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images and the records of how to reproduce them, written while the next ones are drawn.
+// Writes images, and records that tell how to make them again, while the next images are drawn.
 #pragma once
 
 #include <deque>
@@ -15,16 +15,16 @@ namespace spherepair {
 
 constexpr const char* record_format = "spherepair render 1";
 
-// image.png, or image-007.png of several.
+// image.png, or image-007.png if there are several images.
 std::filesystem::path numbered(const std::string& file, uint64_t k, uint64_t images);
 std::filesystem::path record_of(std::filesystem::path image);  // image.json
 
-// Declares an image and its record as outputs. The user named the image but not its record, so the record must not
-// replace a file that is no record.
+// Declares an image and its record as outputs. The user did not name the record, so it must not replace any other kind
+// of file.
 void add_image(OutputFiles& files, const std::string& option, const std::filesystem::path& image);
 
-// Encodes and writes images while the next ones are drawn; without threads, when finish() waits for them. That is
-// also when their exceptions are thrown.
+// Encodes and writes images while the next ones are drawn; if no thread can start, finish() writes them. finish()
+// waits, and throws the writers' exceptions.
 class ImageWriters {
  public:
   ImageWriters() = default;

@@ -10,7 +10,7 @@
 namespace spherepair {
 namespace {
 
-// How the spheres came to OpenGL; null where they did not have to.
+// How the spheres reached OpenGL; null if there was no transfer.
 json transfer_taken(const Backend& backend) {
   const auto taken = backend.transfer_taken();
   return taken ? json(transfer_name(*taken)) : json();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the JSON file next to an image says of it.
+// The JSON record next to an image.
 #pragma once
 
 #include "bench/formats/start.h"
@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-// Of the spheres that the backend has drawn, and the pairs that it has found by this method.
+// Describes the spheres that the backend has drawn and the pairs that it has found by this method.
 json image_record(const Start& start, Backend& backend, Method method, const ImageOptions& image, const Legend& legend);
 
 }  // namespace spherepair

@@ -130,7 +130,7 @@ bool gpu_nodes_present(const std::filesystem::path& devices) {
     if (name.starts_with("nvidia") || name == "dxg" || name == "nvmap") return true;
     if (name == "dri" && !std::filesystem::is_empty(entry.path(), error)) return true;
   }
-  return bool(error);  // what cannot be read may hold one
+  return bool(error);  // an unreadable folder may hold one
 }
 
 std::string utc_date() { return date("%Y-%m-%dT%H:%M:%SZ"); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The context recorded with every result: machine, versions, build, environment, clocks.
+// The context that every record has: machine, versions, build, environment, clocks.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct BuildInfo {
 };
 extern const BuildInfo build_info;  // written at build time
 
-// Machine, build, digests of what is timed, environment and command line; Session::to_json adds the backends.
+// Machine, build, digests of the timed sources, environment and command line. Session::to_json adds the backends.
 json capture_context(const std::vector<std::string>& command_line);
 
 // Clocks, throttle reasons, temperature and power of every GPU from nvidia-smi; null without nvidia-smi.
@@ -24,7 +24,7 @@ json query_clocks();
 
 bool gpu_seems_present();  // the kernel driver's control node exists
 
-// Whether a GPU's driver has a device file: of NVIDIA, of DRM, in WSL (dxg), or on a Jetson (nvmap).
+// Whether a GPU's driver has a device file: NVIDIA's, DRM's, WSL's (dxg) or a Jetson's (nvmap).
 bool gpu_nodes_present(const std::filesystem::path& devices = "/dev");
 
 std::string utc_date();         // 2025-11-21T04:08:00Z

@@ -23,7 +23,7 @@ constexpr size_t reserve = 1 << 16;  // bytes by which a file may be longer than
   throw std::invalid_argument(fmt::format("cannot read {}: {}", name, std::strerror(error)));
 }
 
-// Also where it is open on a regular file: `/dev/stdin <file`.
+// Whether the name is a descriptor's, also one that is open on a regular file: `/dev/stdin <file`.
 bool is_descriptor(std::string_view name) {
   return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
 }

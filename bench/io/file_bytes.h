@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a file, and errors that name the position in it.
+// Reads the bytes of a file, and throws errors that name the position in it.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace spherepair {
 
-// Read completely, not mapped: if another process truncates a mapped file, reading it kills this one. Throws
-// std::invalid_argument, or BackendError if the file does not fit in memory.
+// Reads the whole file and does not map it: if another process truncates a mapped file, reading it kills this one.
+// Throws std::invalid_argument, or BackendError if the file does not fit in memory.
 class FileBytes {
  public:
   explicit FileBytes(const std::filesystem::path& path);  // -: standard input
@@ -30,14 +30,15 @@ class FileBytes {
   std::string name_, bytes_;
 };
 
-// A whole number, whose last byte is the highest.
+// A whole number, lowest byte first.
 inline uint64_t little_endian(std::string_view bytes) {
   uint64_t value = 0;
   for (size_t k = bytes.size(); k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[k]);
   return value;
 }
 
-// "a gzip archive", "UTF-16 text" ...: what bytes begin with that are no text of ours; empty for anything else.
+// The kind of file that these bytes begin, if it is not text that we read: "a gzip archive", "UTF-16 text" ...; else
+// empty.
 std::string_view kind_of(std::string_view bytes);
 
 // In quotes, with unprintable bytes as \x.., truncated if long.

@@ -29,14 +29,14 @@ struct FileLines {
   }
 };
 
-// Of a whole file, behind its byte order mark (UTF-8) if it has one.
+// The lines of a whole file, after its byte order mark (UTF-8) if it has one.
 inline FileLines lines_of(const FileBytes& file) {
   std::string_view bytes = file.bytes();
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   return {bytes};
 }
 
-// Throws std::invalid_argument for a file that is of another kind, and at the line of the first NUL byte: the file is
+// Throws std::invalid_argument for a file of another kind, and at the first NUL byte, with its line: the file is
 // damaged or not text.
 inline void require_text(const FileBytes& file) {
   const std::string_view bytes = file.bytes(), kind = kind_of(bytes);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name that a signal's handler can read: it may use neither locks nor memory that is not there already.
+// A name that a signal handler can read: the handler may neither lock nor allocate.
 struct Name {
   std::atomic<bool> taken = false, ready = false;
   std::array<char, PATH_MAX> text;
@@ -32,9 +32,9 @@ std::array<Name, 64> temporaries;
 std::array<Name, 16> new_folders;  // each before those within it
 Name command, results;             // results: the last folder made
 std::mutex writing;
-std::atomic<bool> on_terminal = false;  // where a line of progress may stand
+std::atomic<bool> on_terminal = false;  // a line of progress may be on the terminal
 
-// The last name, and the one before while that is set.
+// Holds the last name, and the one before it while the last is being set.
 struct LastName {
   std::array<Name, 2> names;
   std::atomic<size_t> last = 0;
@@ -57,7 +57,7 @@ void keep(std::array<Name, most>& names, const std::string& text) {
 }
 
 void say(const char* text) {
-  if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody is left who could be told
+  if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // the message cannot be shown anywhere
 }
 
 void say_what_is_kept() {
@@ -75,7 +75,7 @@ void say_what_is_kept() {
   say("\n");
 }
 
-// A second signal changes nothing: this thread has it wait, and another, which may take it, returns.
+// A second signal changes nothing: it waits in this thread, and returns at once in another thread.
 void interrupted(int signal) {
   static std::atomic_flag entered;
   if (entered.test_and_set()) return;
@@ -84,7 +84,7 @@ void interrupted(int signal) {
   remove_empty_folders();
   if (command.ready) say_what_is_kept();
   ::signal(signal, SIG_DFL);
-  ::raise(signal);  // once more, which ends the process on return
+  ::raise(signal);  // raises the signal again, which ends the process on return
 }
 
 constexpr int endings[] = {SIGINT, SIGTERM, SIGHUP};

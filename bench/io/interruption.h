@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a program that ends early leaves behind and says. SIGINT, SIGTERM and SIGHUP remove its temporary files and the
-// folders that it made and that are still empty, say on standard error what was interrupted and what is kept, and then
-// end the program as if they had not been caught. A signal that is ignored stays ignored.
+// Cleans up when a signal ends the program. SIGINT, SIGTERM and SIGHUP remove its temporary files and the still empty
+// folders that it made. They print on standard error what was interrupted and what is kept, and then end the program as
+// usual. A signal that is ignored stays ignored.
 #pragma once
 
 #include <filesystem>
@@ -9,21 +9,22 @@
 
 namespace spherepair {
 
-// Catches the signals, which then name this command.
+// Catches the signals; the message names this command.
 void handle_interruption(const std::string& command);
 
-// Files that a signal removes.
+// A signal removes this file.
 void keep_temporary(const std::string& file);
 void forget_temporary(const std::string& file);
 
 // Creates the folder and those above it. Throws std::filesystem::filesystem_error.
 void make_folder(const std::filesystem::path& folder);
-void remove_empty_folders();  // of those that make_folder made
+void remove_empty_folders();  // removes the empty folders that make_folder made
 
-// A file that is complete and stays. In the last folder made, it is the folder that is named.
+// Notes a complete file that stays. For a file in the last folder made, the message names the folder.
 void note_written(const std::filesystem::path& file);
 
-// What a run that is interrupted from now on can be continued from, in a sentence: said in place of the last file.
+// A sentence that says how to continue a run that is interrupted from now on; the message has it in place of the last
+// file.
 void note_resumable(const std::string& sentence);
 
 }  // namespace spherepair

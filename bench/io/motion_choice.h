@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// What is not given stays as the scene, the file or the checkpoint has it.
+// Options that are not given keep the value of the scene, the file or the checkpoint.
 struct MotionChoice {
   std::string method = motion_name(MotionOptions{}.method), precision = precision_name(MotionOptions{}.precision);
   std::optional<float> dt = {}, restitution = {};
@@ -22,11 +22,11 @@ struct MotionChoice {
 // All throw std::invalid_argument with the value and its valid range.
 void choose_motion(SceneOptions& scene, const MotionChoice& choice);
 void choose_motion(Scene& scene, const MotionChoice& choice);
-void choose_time(Scene& scene, const MotionChoice& choice);  // time step, restitution and gravity alone
+void choose_time(Scene& scene, const MotionChoice& choice);  // only time step, restitution and gravity
 
 ContactChoice contact_choice(const MotionChoice& choice);
 
-// Of contacts of this law, those of the scene apart from what is given.
+// The scene's contacts with the given options changed.
 ContactChoice changed_contacts(const Scene& scene, const MotionChoice& choice);
 
 // Every motion of these methods and precisions; an empty list: all.

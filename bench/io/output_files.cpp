@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Equal for two names of the same regular or not yet existing file; empty for anything else.
+// A key that is equal for two names of the same file, which is regular or does not exist yet; empty for anything else.
 std::string identity(const fs::path& path) {
   struct stat status {};
   std::error_code error;

@@ -10,20 +10,20 @@
 
 namespace spherepair {
 
-// `-` as an output file: standard output, which has one use; a report then goes to standard error.
+// `-` as an output file means standard output, which only one output may use; a report then goes to standard error.
 inline constexpr const char* kStandardOutput = "-";
 inline bool is_standard_output(const std::vector<std::string>& files) {
   return std::ranges::find(files, kStandardOutput) != files.end();
 }
 
-// `option` names the file in messages; an empty path stands for an option that was not given. Throws
-// std::invalid_argument. Other than regular files (a pipe, /dev/null) may have several uses.
+// `option` names the file in messages; an empty path means that the option was not given. Throws std::invalid_argument.
+// Files that are not regular (a pipe, /dev/null) may have several uses.
 class OutputFiles {
  public:
   void read(const std::string& option, const std::filesystem::path& path);
 
   // Also checks that the file can be written. in_place: the option of an input that is read completely before this
-  // output replaces it.
+  // output replaces it, so that both may be the same file.
   void write(const std::string& option, const std::filesystem::path& path, const std::string& in_place = "");
 
  private:

@@ -35,7 +35,7 @@ bool replaceable(const fs::path& path) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-// The file exists already: an unreadable folder is not an error.
+// Syncs the folder. An unreadable folder is no error, since the file exists already.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -104,7 +104,7 @@ void ReplacedFile::write(std::string_view bytes) {
 }
 
 std::string ReplacedFile::name_for_children() {
-  ::fcntl(descriptor_, F_SETFD, 0);  // keeps it open in child processes
+  ::fcntl(descriptor_, F_SETFD, 0);  // child processes inherit it
   return fmt::format("/proc/self/fd/{}", descriptor_);
 }
 

@@ -11,9 +11,8 @@ namespace spherepair {
 
 // Writes an unnamed file; commit() syncs it and gives it its name. Until then an existing file of that name is
 // unchanged, and without commit() nothing remains, even if the program is killed. (On file systems without unnamed
-// files it is a temporary file in the same folder, which signals remove (interruption.h), but not SIGKILL.) Pipes and
-// devices are written directly.
-// Throws std::invalid_argument.
+// files it is a temporary file in the same folder. Signals remove it (interruption.h), except SIGKILL.) Pipes and
+// devices are written directly. Throws std::invalid_argument.
 class ReplacedFile {
  public:
   explicit ReplacedFile(const std::filesystem::path& path);
@@ -35,10 +34,10 @@ class ReplacedFile {
   int descriptor_ = -1;
 };
 
-// The file that a write replaces: the end of a chain of links, also where no file is there yet.
+// The file that a write replaces: the end of a chain of links, even if that file does not exist yet.
 std::filesystem::path follow_links(const std::filesystem::path& path);
 
-// Whether the file is replaced: a pipe or device is not, and what was written there cannot be taken back.
+// Whether the file is replaced. Pipes and devices are not: output to them cannot be taken back.
 bool is_replaced(const std::filesystem::path& path);
 
 // Throws if a file of that name cannot be written. Creates nothing and does not open pipes or devices.

@@ -65,7 +65,7 @@ size_t width_of(const Table& table) {
   return span_width(widths, 0, widths.size());
 }
 
-// These columns alone.
+// The table with these columns only.
 Table part_of(const Table& table, const std::vector<size_t>& columns) {
   Table part;
   for (const size_t c : columns) part.columns.push_back(table.columns[c]);
@@ -86,8 +86,8 @@ Table without_empty_columns(const Table& table) {
   return part_of(table, kept);
 }
 
-// The table in parts of at most this width, each with the columns before the first group, which name its rows. Groups
-// stay whole where they can, and rows without a value in a part are not in it. A table without groups is one part.
+// Splits the table into parts of at most this width. Each has the columns before the first group, which name its rows.
+// Groups stay whole if they fit, and a part omits rows without a value in it. A table without groups is one part.
 std::vector<Table> parts_of(const Table& table, size_t width) {
   std::vector<size_t> keys;
   while (keys.size() < table.columns.size() && table.columns[keys.size()].group.empty()) keys.push_back(keys.size());

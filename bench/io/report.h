@@ -30,22 +30,22 @@ struct Column {
   bool left = false;
 };
 
-// Ends a cell whose time decides nothing; a table with one has a note that says so.
+// Marks a cell whose time decides nothing. Tables with such a cell have a note.
 constexpr const char* unsteady_mark = " !";
 
-// Columns of a terminal and of a file that has tables: tables are split, and sentences wrapped, to stay within.
+// Widths of a terminal and of a file with tables: tables are split and sentences wrapped to fit.
 constexpr size_t kTextWidth = 80, kFileWidth = 132;
 
-// Cells are text, so that a column can hold numbers and "skipped"; "-" and nothing stand for no value. Brackets are
-// kept for 95 % intervals: a table with one has a note that says so.
+// Cells are text, so that a column can hold numbers and "skipped"; "-" and an empty cell mean no value. Brackets mean
+// 95 % intervals, which a note below the table says.
 struct Table {
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes;
-  bool only_in_csv = false;  // too long for people
+  bool only_in_csv = false;  // too long to read
 
-  // Without the columns that have no value in any row; in parts, where it is wider than this.
+  // The table as text, without columns that have no value in any row, split into parts if it is wider than this.
   std::string text(size_t width = kTextWidth) const;
   json to_json() const;
 
@@ -60,7 +60,7 @@ std::string format_rate(double per_second);  // 3.13e+12
 
 std::string hex64(uint64_t value);
 
-// The words of a text in lines of at most this width, the first behind `first` and the others behind `next`.
+// Wraps a text to lines of at most this width. The first line begins with `first`, the others with `next`.
 std::string wrapped(const std::string& text, const std::string& first = "", const std::string& next = "",
                     size_t width = kTextWidth);
 
@@ -71,9 +71,9 @@ class Progress {
   ~Progress() { clear(); }
   void say(const std::string& what);
   void clear();
-  bool due() const;  // on a terminal, and nothing was said for 0.2 s: for loops of short steps
+  bool due() const;  // whether to print: on a terminal, and not within 0.2 s of the last line; for loops of short steps
 
-  // Prefix of the following lines: parts done and the estimated time of the others.
+  // Sets the prefix of the next lines: the parts done and the estimated time of the rest.
   void reach(uint64_t done, uint64_t total);
 
  private:

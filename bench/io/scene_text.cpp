@@ -59,7 +59,7 @@ json contact_json(const ContactOptions& contact) {
                  {"walls", contact.walls},
                  {"unit_exponent", contact.unit_exponent},
                  {"momentum_exponent", contact.momentum_exponent}};
-  if (contact.density != water) record["density"] = contact.density;  // earlier versions had no other
+  if (contact.density != water) record["density"] = contact.density;  // earlier versions had only water
   return record;
 }
 

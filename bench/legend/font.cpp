@@ -15,14 +15,14 @@ extern const size_t font_png_size;
 
 namespace {
 
-// As in font.py.
+// The letters beyond ASCII, in font.py's order.
 constexpr std::u32string_view others = U"·×–≥²³µÅ";
 constexpr int em = 48, ascent = 47;
 
 struct Font {
   int width = 0, height = 0;
   std::vector<unsigned char> pixels;  // coverage
-  std::vector<int> begins;            // of the letters' boxes, and the end of the last
+  std::vector<int> begins;            // left edges of the letters' boxes, then the end of the last box
 };
 
 Font decode() {
@@ -55,7 +55,7 @@ size_t index_of(char32_t letter) {
   return at == others.npos ? size_t('?' - 32) : 127 - 32 + at;
 }
 
-// Bytes that are no UTF-8 are letters that the font lacks.
+// Indices of a text's letters. Bytes that are not UTF-8 become letters that the font lacks.
 std::vector<size_t> letters_of(std::string_view text) {
   std::vector<size_t> letters;
   for (size_t k = 0; k < text.size();) {
@@ -92,7 +92,7 @@ double text_width(const std::string& utf8, double size) {
 
 void draw_text(Canvas& canvas, const std::string& utf8, Point baseline, double size, uint colour) {
   const Font& f = font();
-  const double step = em / size;  // pixels of the font in one of the image
+  const double step = em / size;  // font pixels in an image pixel
   const double top = std::round(baseline.y) - ascent / step;
   for (const size_t letter : letters_of(utf8)) {
     const int first = f.begins[letter], last = f.begins[letter + 1];

@@ -21,14 +21,14 @@ struct Item {
   int row = 0;
 };
 
-// In ems.
+// Lengths in ems.
 constexpr double margin = 0.6, gap = 1.1, gap_before_facts = 2.5, row_height = 1.5, swatch = 0.9, swatch_room = 1.2;
 
 double width_of(const Item& item, double size) {
   return text_width(item.text, size) + (item.key ? swatch_room * size : 0);
 }
 
-// From left to right in rows; what is known of the image begins a row of its own where all do not fit into one.
+// Places the items from left to right in rows. If they do not fit into one row, the facts begin a row of their own.
 std::vector<Item> lay_out(const Legend& legend, double size, double width) {
   std::vector<Item> items = {{legend.title}};
   for (const LegendKey& key : legend.keys) items.push_back({key.label, &key});

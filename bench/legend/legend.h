@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The legend of an image: what its colours mean, and what it shows.
+// The legend of an image: the meaning of its colours, and facts about it.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace spherepair {
 
-// Of the palette's entries: numbers of contacts, or the least speeds or radii; of the first the greatest.
+// Labels of the palette's entries: numbers of contacts, or the least speed or radius of each; for the first entry the
+// greatest.
 std::vector<std::string> legend_labels(const Look& look);
 
 struct LegendKey {
@@ -28,7 +29,8 @@ Legend legend_of(const Look& look, const std::vector<std::string>& facts);  // o
 // A white strip below an image, so that the legend covers none of it.
 class LegendStrip {
  public:
-  // As high as this legend needs in an image of this size; none where less than half would be left for the spheres.
+  // A strip as high as this legend needs in an image of this size; none if less than half would be left for the
+  // spheres.
   static std::optional<LegendStrip> within(const Legend& widest, uint width, uint height);
   uint height() const { return height_; }
 

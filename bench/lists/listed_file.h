@@ -15,7 +15,7 @@ namespace spherepair {
 void write_listed(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
                   bool distances);
 
-// A full list of one system in CSR, with its shifts.
+// Writes a full list of one system in CSR, with its shifts.
 void write_listed_neighbours(const NeighbourFiles& files, const ListProblem& problem, std::span<const ListedPair> list);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pairs of a file's spheres in a periodic box, decided by the file's own numbers.
+// Finds the pairs of a file's spheres in a periodic box, decided by the file's own numbers.
 #pragma once
 
 #include "bench/spheres/sphere_file.h"
@@ -7,12 +7,12 @@
 
 namespace spherepair {
 
-// A half list, or a full one. With a cutoff: of points at most that far apart; else of spheres that overlap.
+// The problem of a half or full list. With a cutoff: points at most that far apart; else spheres that overlap.
 ListProblem problem_of(const PeriodicSpheres& spheres, std::optional<double> cutoff, bool full);
 
 struct ListedSpheres {
   Collisions totals;         // each pair counts once
-  std::vector<uint> counts;  // of each sphere: its neighbours, images included
+  std::vector<uint> counts;  // neighbours of each sphere, images included
   std::vector<ListedPair> pairs;
 };
 

@@ -17,13 +17,13 @@ namespace {
 constexpr int attempts = 3;
 constexpr uint64_t most_steps = 1u << 24;
 
-// What a contender says of K by itself.
+// The times by which a contender chooses K.
 struct Estimate {
   double step, fixed;  // seconds
 };
 
-// The least of three, where they are short: one disturbance would make K so small that each step of this contender
-// had the price of waking threads or the device, and those of the others had not.
+// The least of three times if they are short. One disturbance would make K so small that this contender's steps, but
+// not the others', included the cost of waking threads or the device.
 double undisturbed(const Contender& contender, uint64_t steps, double wanted, const Clocks& clocks) {
   const auto taken = [&] { return time_batch(contender, steps, steps_ahead(contender, most_steps), clocks).seconds; };
   double least = taken();
@@ -35,8 +35,8 @@ double least_duration(const Contender& contender, const Sampling& sampling) {
   return on_hardware(*contender.backend) ? sampling.hardware_seconds : sampling.software_seconds;
 }
 
-// From the times of one step and of so many that they last a while. A step longer than a quarter of the longest batch
-// is timed alone.
+// Estimates from the time of one step and of a longer batch. A step longer than a quarter of the longest batch is timed
+// alone.
 Estimate estimate(const Contender& contender, const Sampling& sampling) {
   const double wanted = least_duration(contender, sampling);
   time_batch(contender, 1, steps_ahead(contender, most_steps), sampling.clocks);  // compiles, allocates, wakes up
@@ -88,7 +88,7 @@ BatchPlan plan_batches(std::span<const Contender* const> contenders, const Sampl
   for (const Contender* contender : contenders) {
     if (contender->batch) continue;
     const auto [step, fixed] = estimate(*contender, sampling);
-    const double of_batch = (1 - sampling.fixed_share) * fixed / sampling.fixed_share;  // of its steps alone
+    const double of_batch = (1 - sampling.fixed_share) * fixed / sampling.fixed_share;  // seconds of steps alone
     wanted =
         std::max({1.0, wanted, std::ceil(least_duration(*contender, sampling) / step), std::ceil(of_batch / step)});
     most = std::min(most, std::max(1.0, std::floor((sampling.longest - fixed) / step)));
@@ -126,7 +126,7 @@ Turn take_turn(const Contender& contender, const BatchPlan& plan, const Clocks& 
   return turn;
 }
 
-// A line with the least sum goes through two of the batches; where several have it, so do those between them.
+// A line with the least sum goes through two of the batches. If several lines have it, so do the lines between them.
 std::optional<Fit> fit(std::span<const uint64_t> steps, std::span<const std::vector<double>> rounds) {
   std::vector<std::array<double, 2>> batches;
   for (const std::vector<double>& round : rounds)

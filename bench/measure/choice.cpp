@@ -25,7 +25,7 @@ ChosenBackend choose_backend(const std::string& name, const OpenOptions& options
   if (!name.empty()) return open_one(name, options, opener);
   const bool wants_gpu = !options.cuda_device.empty() || !options.gl_device.empty() || !options.vulkan_device.empty() ||
                          options.require_hardware;
-  const bool worth_trying = wants_gpu || gpu_nodes_present();  // software opens in a tenth of a second
+  const bool worth_trying = wants_gpu || gpu_nodes_present();  // opening software takes 0.1 s
   std::vector<std::string> passed_over;
   OpenOptions hardware = options;
   hardware.require_hardware = true;  // OpenGL and Vulkan in software are slower than the CPU backend

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The number of comparisons that a run planned and made, by backend: a run that compared less than planned shows no
+// Counts the comparisons that a run planned and made, by backend: a run that compared less than planned shows no
 // equality.
 #pragma once
 
@@ -15,7 +15,7 @@ class Comparisons {
  public:
   enum Kind { sets, states };
 
-  // `backend`: the one that is compared with the reference. Plan before the first comparison is made.
+  // Plans comparisons of `backend` with the reference. Call it before the first comparison.
   void plan(const std::string& backend, Kind kind, uint64_t count) { counts_[backend].planned[kind] += count; }
   void made(const std::string& backend, Kind kind) { ++counts_[backend].made[kind]; }
 

@@ -10,7 +10,7 @@
 namespace spherepair {
 namespace {
 
-constexpr double narrow = 1.25;  // an interval of ratios that is wider, high over low, could hide a difference
+constexpr double narrow = 1.25;  // high over low: a wider interval of ratios could hide a difference
 
 std::string number_text(double ratio) { return fmt::format("{:.{}f}", ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0); }
 std::string times_text(double ratio) { return number_text(ratio) + "x"; }

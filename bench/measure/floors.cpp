@@ -27,8 +27,8 @@ double copy_rate(Session& session, Backend& device, const Sampling& sampling, Pr
   return 2 * sizeof(vec4) * double(beyond_caches) / samples.front().median_seconds();
 }
 
-// Position, velocity and count; the wide state next to the float32 one; of `anchored` anchor, velocity, flight, anchor
-// step, next event and count.
+// Counts position, velocity and count, and the wide state next to the float32 one; for `anchored` anchor, velocity,
+// flight, anchor step, next event and count.
 uint64_t motion_set_bytes(uint64_t n, MotionOptions motion) {
   const uint64_t wide = motion.precision == Precision::float32 ? 0 : 1;
   if (motion.method == MotionMethod::anchored) return n * (32 + 8 * (1 + wide) + 8 + 4);

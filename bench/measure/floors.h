@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Three fused multiply-adds and a comparison: the minimum for a pair in the Gram form.
+// The minimum for a pair in Gram form: three fused multiply-adds and a comparison.
 constexpr int instructions_per_pair = 4;
 
 // Minimum memory traffic of the grid in bytes per sphere, packing fraction 0.3, equal radii. The cell table takes 7
@@ -26,12 +26,12 @@ double issue_rate(const Session& session);
 // Bytes per second, read and written, that a device copies beyond its caches. Replaces the uploaded scene.
 double copy_rate(Session& session, Backend& device, const Sampling& sampling, Progress& progress);
 
-// Bytes that a step touches at least once, of equal radii: its working set. Of a search: positions and counts; of the
-// grid also the table, and in random order the copies of the split and of the sort with their indices.
+// Bytes that a step touches at least once with equal radii: its working set. A search touches positions and counts, the
+// grid also the table, and in random order the copies of the split and the sort with their indices.
 uint64_t motion_set_bytes(uint64_t n, MotionOptions motion);
 uint64_t search_set_bytes(uint64_t n, Method method, bool in_cell_order);
-constexpr uint64_t shared_set_bytes = 16 + 4;  // a sphere: of both, positions and counts
-constexpr uint64_t copy_set_bytes = 2 * 16;    // a sphere: of the peak rate of copying
+constexpr uint64_t shared_set_bytes = 16 + 4;  // a sphere, in all searches: position and count
+constexpr uint64_t copy_set_bytes = 2 * 16;    // a sphere, when the peak rate of copying is measured
 
 struct PeakRates {
   double issue = 0;                       // lane-instructions per second; NaN or 0: unknown
@@ -44,7 +44,7 @@ struct Floor {
   double seconds;
 };
 
-// None if no peak rate is known: in software, or for other methods.
+// None if no peak rate is known, in software, and for other methods.
 std::optional<Floor> floor_of(const PeakRates& peak_rates, const Backend& backend, Method method, uint64_t n,
                               bool in_cell_order);
 

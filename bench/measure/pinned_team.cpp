@@ -24,7 +24,7 @@ std::vector<int> cores_of(const cpu_set_t& set) {
   return cores;
 }
 
-// Of this thread; 0 in sched_setaffinity stands for it.
+// Limits this thread to these cores (0 in sched_setaffinity means this thread).
 bool allow(const cpu_set_t& cores) { return sched_setaffinity(0, sizeof(cores), &cores) == 0; }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads of the CPU backend, each on a core of its own while a time is taken.
+// Keeps each thread of the CPU backend on a core of its own while a time is taken.
 #pragma once
 
 #include <sched.h>
@@ -10,9 +10,9 @@ namespace spherepair {
 
 int threads_of(const BackendInfo& cpu);
 
-// Pins OpenMP's threads, this one first, to the cores that the process may use, and lets them go again. Not where there
-// are fewer cores than threads, nor where the environment has places of its own for them (OMP_PROC_BIND, OMP_PLACES,
-// GOMP_CPU_AFFINITY, KMP_AFFINITY): then those hold.
+// Pins OpenMP's threads, this one first, to the cores that the process may use; the destructor lets them go. Does
+// nothing if there are fewer cores than threads, or if the environment places the threads (OMP_PROC_BIND, OMP_PLACES,
+// GOMP_CPU_AFFINITY, KMP_AFFINITY).
 class PinnedTeam {
  public:
   explicit PinnedTeam(int threads);

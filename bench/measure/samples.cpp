@@ -18,7 +18,7 @@ json scaled(const Interval& interval, double factor) { return {interval.low * fa
 
 json or_null(bool known, json value) { return known ? std::move(value) : json(nullptr); }
 
-// What a sample costs besides its steps; null where one batch a round cannot tell it.
+// Adds the fixed costs of samples; null if one batch a round cannot tell them.
 void add_batches(json& out, const Samples& samples) {
   out["batches"] = samples.plan.steps;
   out["batch_ms"] = json::array();
@@ -47,7 +47,7 @@ void add_memory(json& out, const Samples& samples) {
   out["fits_l2"] = or_null(known && samples.l2, samples.working_set <= samples.l2.value_or(0));
 }
 
-// Text in a list: the rows of several processes stay one row, and a merged row keeps the mark.
+// Adds the reasons as text in a list, so that rows of several processes can be merged into one that keeps the mark.
 void add_steadiness(json& out, const Samples& samples) {
   out["others_share"] = or_null(samples.others.has_value(), samples.others.value_or(0));
   if (const std::vector<std::string> reasons = samples.unsteady(); !reasons.empty()) out["unsteady"] = reasons;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The samples of one contender: a time per step for each round, and what is needed to judge them.
+// The samples of one contender: a time per step for each round, and the data to judge them.
 #pragma once
 
 #include <map>
@@ -19,21 +19,21 @@ struct Samples {
   std::vector<double> seconds = {};                     // per step, one value a round
   std::vector<uint64_t> turn = {};                      // position of each value in the sequence of all turns
   BatchPlan plan = {};                                  // of every turn
-  std::vector<std::vector<double>> batch_seconds = {};  // by round, as the plan's steps
+  std::vector<std::vector<double>> batch_seconds = {};  // by round, in the order of the plan's steps
   std::vector<double> fixed = {};     // seconds that a batch takes besides its steps, by round; empty without a fit
   double longest = 0;                 // Sampling::longest
   uint64_t retaken = 0;               // batches, since something was prepared in them
-  Preparations prepared = {};         // in the samples, where it is part of the steps
-  std::vector<double> cores = {};     // of the host that the process kept busy, by round; empty for devices
-  bool pinned = false;                // each thread of the host to a core
-  std::optional<double> others = {};  // share of the machine's cores that other programs kept busy meanwhile
+  Preparations prepared = {};         // in the samples, if preparing is part of the steps
+  std::vector<double> cores = {};     // busy cores of the process, by round; empty for devices
+  bool pinned = false;                // each thread of the host had a core of its own
+  std::optional<double> others = {};  // share of the machine's cores that other programs kept busy
   uint64_t working_set = 0;           // bytes; 0: not known
   std::optional<uint64_t> l2 = {};    // bytes of the device's cache; none: not known
 
   std::map<std::string, double> stages = {};  // device timer, seconds per step; empty without one
   std::map<std::string, Interval> stage_intervals = {};
   std::optional<double> timer_floor = {};  // that timer's reading of an empty kernel, seconds
-  std::vector<std::string> at_floor = {};  // stages whose reading is no longer than that
+  std::vector<std::string> at_floor = {};  // stages whose reading does not exceed that
 
   uint64_t batch() const { return plan.steps.back(); }  // K
   double median_seconds() const { return median(seconds); }
@@ -42,15 +42,16 @@ struct Samples {
   double device_seconds() const;  // sum of the stages, NaN without a timer
 };
 
-void add_turn(Samples& samples, Turn turn, uint64_t position);  // a round
+void add_turn(Samples& samples, Turn turn, uint64_t position);  // adds a round
 
-// Behind the last round: the time per step of each, the median of its batches without the fixed cost of the line
-// through all, over their steps; without such a line the longest batch over its steps.
+// After the last round, sets the time per step of each round: the median over its batches of their time, without the
+// fixed cost of the line through all batches, over their steps. Without such a line it is the longest batch over its
+// steps.
 void fit_rounds(Samples& samples);
 
 json to_json(const Samples& samples);
 
-std::string marked(const std::string& cell, const Samples& samples);  // with a mark if the time is unsteady
+std::string marked(const std::string& cell, const Samples& samples);  // appends a mark if the time is unsteady
 
 constexpr double in_ms = 1e3;  // of a second
 

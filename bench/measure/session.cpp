@@ -44,7 +44,7 @@ Session::Session(const std::vector<std::string>& names, const OpenOptions& optio
       backends_.push_back(opener(name, options));
     } catch (const BackendError& error) {
       if (!names.empty()) throw;
-      const std::string reason = error.what();  // the names of backends begin it and stand before it
+      const std::string reason = error.what();  // begins with the backend's name, which is already before it
       missing_.push_back({name, reason.starts_with(name + ": ") ? reason.substr(name.size() + 2) : reason});
     }
   }
@@ -139,7 +139,7 @@ std::vector<std::string> Session::warnings() const {
                     "/usr/share/vulkan/icd.d/nvidia_icd.json, in a container NVIDIA_DRIVER_CAPABILITIES=all), or pass "
                     "--require-hardware to fail instead.");
   const bool missed = std::ranges::any_of(missing_, [](const Missing& each) { return each.name == "cuda"; });
-  if (gpu_seems_present() && missed)  // not where others were requested
+  if (gpu_seems_present() && missed)  // not if the user requested other backends
     found.emplace_back("WARNING: this machine seems to have an NVIDIA GPU, but the backend cuda is not open.");
   return found;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backends of this process: which are open, which are missing and why, and the times of their first steps.
+// The backends of this process: the open ones, the missing ones with the reason, and the times of first steps.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ class Session {
   std::vector<Backend*> devices() const;  // all but the CPU
   Backend* find(const std::string& name) const;
 
-  // Whose times are compared: each device with the baseline, which is CUDA, else the first device.
+  // Two devices whose times are compared: each with the baseline, which is CUDA, else the first device.
   struct Versus {
     Backend *device, *baseline;
   };
@@ -38,20 +38,20 @@ class Session {
   // The CPU, or the first open backend: the others are compared with it.
   Backend& reference() const { return *backends_.front(); }
 
-  // Of the whole run: every check plans its comparisons, and every comparison that finds equality is counted.
+  // Comparisons of the whole run: every check plans its own, and every comparison that finds equality counts.
   Comparisons comparisons;
 
   TimingCounts timings;  // of the whole run
 
-  // A complete search. Keeps the time of a kernel's first use in this process, which compiles it.
+  // Runs a complete search. Keeps the time of a kernel's first use in this process, which compiles it.
   void collide(Backend& backend, const CollideOptions& options);
   double first_seconds(const Backend& backend, const CollideOptions& options) const;
 
-  // The device timer's reading of an empty kernel in seconds, measured once an API: no stage's reading below it means
-  // anything. None without a timer.
+  // The device timer's reading of an empty kernel in seconds, measured once an API: shorter readings of stages mean
+  // nothing. None without a timer.
   std::optional<double> timer_floor(Backend& backend);
 
-  // Bytes of the GPU's cache: as CUDA tells it, also for OpenGL on the same GPU. None where nothing does.
+  // Bytes of the GPU's L2 cache, from CUDA, also for OpenGL on the same GPU. None if nothing reports it.
   std::optional<uint64_t> l2_bytes(const Backend& backend) const;
 
   std::string summary() const;                // one line per backend, missing ones with the reason
@@ -69,7 +69,7 @@ class Session {
 };
 
 bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor OpenGL or Vulkan in software
-// ", " and how the spheres last came to OpenGL's pipeline; empty where they did not have to.
+// ", " and the last transfer of spheres to OpenGL's pipeline; empty without a transfer.
 std::string transfer_in_words(const Backend& backend);
 
 std::string device_label(const BackendInfo& info);

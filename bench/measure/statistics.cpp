@@ -16,7 +16,7 @@ std::vector<double> sorted(std::span<const double> sample) {
   return values;
 }
 
-// P(k heads of n fair coins), in logarithms against overflow.
+// P(k heads of n fair coins), by logarithms to avoid overflow.
 double coin_probability(double n, double k) {
   return std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
 }

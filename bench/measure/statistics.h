@@ -11,8 +11,8 @@ double median(std::span<const double> sample);
 double minimum(std::span<const double> sample);
 double quantile(std::span<const double> sample, double fraction);  // linear between order statistics
 
-// An interval between two order statistics that contains the true median with probability `coverage`, which is below
-// `confidence` if even the whole range of a small sample is (fewer than 6 values at 95 %).
+// An interval between two order statistics that contains the true median with probability `coverage`. In a small sample
+// (fewer than 6 values at 95 %) even the whole range has less coverage than `confidence`.
 struct Interval {
   double low, high, coverage;
 };

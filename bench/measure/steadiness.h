@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which times decide nothing: those of a busy machine, and those that scatter.
+// Tells which times decide nothing: those of a busy machine, and those that scatter.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ class Session;
 
 constexpr double widest_interval = 2;  // high over low of an interval that may still decide
 
-// Why a time decides nothing; empty where it may. others: share of the machine's cores that other programs kept busy.
+// The reasons why a time decides nothing; empty if it may decide. others: share of the machine's cores that other
+// programs kept busy.
 std::vector<std::string> unsteady(const Interval& interval, std::optional<double> others);
 
 // Timings of a session.
@@ -24,15 +25,15 @@ struct TimingCounts {
   void add(bool is_unsteady) { ++all, unsteady += is_unsteady; }
 };
 
-// Watches the machine for a study, and says what its readers must know of its times.
+// Watches the machine during a study, and warns readers about its times.
 class StudyLoad {
  public:
   explicit StudyLoad(const Clocks& clocks);  // takes 0.2 s; make it before the study's own work
   StudyLoad(const StudyLoad&) = delete;
   StudyLoad& operator=(const StudyLoad&) = delete;
 
-  std::vector<std::string> warnings(const Session& session) const;  // the session's and those of these times
-  std::string text(const Session& session) const;                   // those of these times, below tables
+  std::vector<std::string> warnings(const Session& session) const;  // the session's warnings and those about times
+  std::string text(const Session& session) const;                   // warnings about times, below tables
 
  private:
   std::vector<std::string> own(const Session& session) const;

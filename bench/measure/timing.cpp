@@ -90,8 +90,8 @@ class Measurement {
     add_turn(all_[c], std::move(taken), position);
   }
 
-  // In a separate run: the queries would disturb the host's times. No timer has the part of spheres that OpenGL draws
-  // for another API.
+  // Times the stages in a separate run: the queries would disturb the host's times. No timer covers drawing through
+  // OpenGL for another API.
   void time_on_device(size_t c) {
     Backend& backend = *contenders_[c].backend;
     Samples& samples = all_[c];

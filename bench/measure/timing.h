@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The timing core of all backends: a fixed number of rounds, in each of which every contender takes a turn of batches.
+// The timing core of all backends: a fixed number of rounds; in each round every contender takes a turn of batches.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@
 
 namespace spherepair {
 
-// Warms up and chooses K, one for the contenders of a contest on the host and one for those on devices. In each round
-// the contests come in random order, and the contenders of each in random order right behind each other. On the host,
-// threads are pinned meanwhile. Device timers run last, in a run of their own.
+// Warms up and chooses K: in a contest one for contenders on the host and one for those on devices. In each round the
+// contests come in random order, and the contenders of each run right after each other, in random order. Threads on the
+// host are pinned. Device timers run last, in a run of their own.
 std::vector<Samples> measure(Session& session, std::span<const Contender> contenders, const Sampling& sampling,
                              Progress& progress);
 

@@ -22,7 +22,7 @@ void require_known(const FileBytes& file, const NpyField& field) {
                       in_quotes(field.dtype));
 }
 
-// Columns by the names of a structured array's fields, or by --columns, or by their order.
+// Finds the columns by the field names of a structured array, by --columns, or by their order.
 Columns columns_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option) {
   std::vector<NamedColumn> names;
   if (header.structured)

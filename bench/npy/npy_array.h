@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of numbers in an NPY array.
+// Finds the table of numbers in an NPY array.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace spherepair {
 
-// Whether a dtype is one of real numbers that are read.
+// Whether this is a dtype of real numbers that we can read.
 bool is_real_dtype(std::string_view dtype);
 
 // Checks dtypes, shape and size. option: the words of --columns, if given.
 NumberTable table_of(const FileBytes& file, const NpyHeader& header, std::span<const std::string> option);
 
-// Of an array of real numbers with two axes; throws for another size of the file.
+// The table of an array of real numbers with two axes. Throws if the file has another size.
 NumberTable plain_table(const FileBytes& file, const NpyHeader& header, const Columns& columns);
 
 std::string describe(const NumberTable& table, const NpyHeader& header);

@@ -44,8 +44,7 @@ class HeaderText {
   uint64_t number();
 
   const FileBytes& file_;
-  std::string_view
-      text_;  // from the file's first byte to the header's end, so that offsets in it are offsets in the file
+  std::string_view text_;  // begins at the file's first byte, so that offsets in it are offsets in the file
   uint64_t at_;
   NpyHeader header_;
   bool has_dtype_ = false, has_order_ = false, has_shape_ = false;

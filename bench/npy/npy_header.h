@@ -12,13 +12,13 @@ struct NpyField {
   std::string name;       // empty in a plain array
   std::string dtype;      // as in the file: <f4
   uint64_t dtype_at = 0;  // byte offset, for errors
-  uint64_t count = 1;     // of a field such as ('pos', '<f4', (3,))
+  uint64_t count = 1;     // elements of a field such as ('pos', '<f4', (3,))
 
-  uint64_t item_bytes() const;  // 0: of a dtype without a fixed size
+  uint64_t item_bytes() const;  // 0: a dtype without a fixed size
 };
 
 struct NpyHeader {
-  std::vector<NpyField> fields;  // of a structured array; one without a name of a plain one
+  std::vector<NpyField> fields;  // of a structured array; a plain array has one field without a name
   bool structured = false, fortran_order = false;
   std::vector<uint64_t> shape;
   uint64_t shape_at = 0;  // byte offset, for errors

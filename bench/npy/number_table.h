@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where binary numbers of spheres stand in files, and what they are.
+// Positions and types of the binary numbers of spheres in a file.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ struct NumberColumn {
   const FileBytes* file;
   Quantity quantity;
   std::string_view dtype;             // of NPY: <f4, >i2 ...
-  uint64_t first, stride;             // bytes: of row 0, from row to row; ...
-  std::vector<uint64_t> places = {};  // ... or the byte in each row, where rows differ in length
+  uint64_t first, stride;             // bytes: the offset of row 0, the distance of rows ...
+  std::vector<uint64_t> places = {};  // ... or the offset in each row, if rows differ in length
 
   uint64_t byte_of(uint64_t row) const { return places.empty() ? first + row * stride : places[row]; }
 };

@@ -50,7 +50,7 @@ void check_rows_file(const std::string& option, const std::string& file, const s
         fmt::format("cannot tell the format of {} {} by its extension; known are {}", option, file, known));
 }
 
-// Padded with spaces, so that the data start at a multiple of 64 bytes.
+// Pads the header with spaces, so that the data start at a multiple of 64 bytes.
 std::string npy_head(std::string dtype, const std::string& shape) {
   std::ranges::replace(dtype, '@', std::endian::native == std::endian::little ? '<' : '>');
   std::string header = fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': {}, }}", dtype, shape);

@@ -23,14 +23,14 @@ using Sink = std::function<void(std::string_view)>;
 std::string lower_extension(const std::string& file);  // .npy
 
 // Throws std::invalid_argument if `file` has none of the extensions; the message names `option` and `known`. Pipes and
-// devices may have any: they take text.
+// devices may have any name: they get text.
 void check_rows_file(const std::string& option, const std::string& file, const std::vector<std::string>& extensions,
                      const std::string& known);
 
-// NPY version 1.0. The dtype's @ stands for the byte order.
+// The header of an NPY 1.0 file. @ in the dtype stands for the byte order.
 std::string npy_head(std::string dtype, const std::string& shape);
 
-// A .npy or .vtp file is written by write_binary, any other as text: `head`, then the rows. -: text to standard output.
+// Writes a .npy or .vtp file by write_binary, and any other as text: `head`, then the rows. -: text to standard output.
 void write_rows(const std::string& file, size_t count, const Rows& rows,
                 const std::function<void(const Sink&)>& write_binary, const std::string& head = "");
 

@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t in_zip64 = 0xffffffff;  // of a size or an offset that stands in the extra field
+constexpr uint64_t in_zip64 = 0xffffffff;  // a size or an offset with this value is in the extra field
 constexpr uint64_t end_bytes = 22, entry_bytes = 46, local_bytes = 30;
 
 // A record that begins with a signature, and its little-endian numbers.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The members of a zip archive (PKWARE's APPNOTE.TXT), stored or deflated, as NPZ files have them.
+// Reads the members of a zip archive (PKWARE's APPNOTE.TXT), stored or deflated, as in NPZ files.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,10 @@ struct ZipMember {
   uint64_t packed_bytes = 0, bytes = 0;
 };
 
-// Those that the central directory lists, in its order; also of archives beyond 4 GiB (zip64).
+// The members in the order of the central directory, also in archives beyond 4 GiB (zip64).
 std::vector<ZipMember> zip_members(const FileBytes& file);
 
-// The bytes of a member, as a file of the name `FILE, 'NAME'`.
+// The bytes of a member, as a file named `FILE, 'NAME'`.
 FileBytes unpacked(const FileBytes& file, const ZipMember& member);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every subcommand is given, and what it returns.
+// The input and the exit code of every subcommand.
 #pragma once
 
 #include "api/open.h"
@@ -10,14 +10,15 @@ namespace spherepair {
 // Documented in --help: scripts rely on them.
 enum ExitCode { kOk = 0, kDifference = 1, kUsage = 2, kDeviceFailure = 3 };
 
-// How much a command prints: errors and warnings about the result, a summary, reasons and details as well.
+// How much a command prints. quiet: errors, and warnings about the result. normal: also a summary. verbose: also
+// reasons and details.
 enum class Verbosity { quiet, normal, verbose };
 
 struct CommandLine {
   std::vector<std::string> words;  // argv, for the record
   OpenOptions open;
   Opener opener = open_backend;
-  Clocks clocks = host_clocks();  // of StudyLoad
+  Clocks clocks = host_clocks();  // for StudyLoad
 };
 
 }  // namespace spherepair

@@ -19,7 +19,7 @@ const CLI::App& parsed_command(const CLI::App& app) {
 
 namespace {
 
-// Empty if something takes every word.
+// The message about the first word that nothing takes; empty if every word is taken.
 std::string unknown_word(const CLI::App& app) {
   const CLI::App& command = parsed_command(app);
   const std::vector<std::string> left = app.remaining(true);
@@ -44,7 +44,7 @@ std::string unknown_word(const CLI::App& app) {
   return fmt::format("'{}' is no option of {}: options begin with --", left.front(), command.get_name());
 }
 
-// "--a MARK --b" of CLI11's message as its two names.
+// The two names in "--a MARK --b" of CLI11's message.
 std::optional<std::pair<std::string, std::string>> names_around(const std::string& mark, const std::string& message) {
   const size_t at = message.find(mark);
   if (at == message.npos) return std::nullopt;

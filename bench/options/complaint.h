@@ -6,11 +6,11 @@
 
 namespace spherepair {
 
-// The subcommand that was given, or the program itself.
+// The given subcommand, or the program itself.
 const CLI::App& parsed_command(const CLI::App& app);
 
-// After CLI11 refused the words: what is wrong with which, and what to do. For a word that nothing takes, the name that
-// was perhaps meant.
+// The message after CLI11 refused the words: the word, the fault and the remedy. For an unknown word it suggests the
+// nearest name.
 std::string complaint_about(const CLI::ParseError& error, const CLI::App& app);
 
 }  // namespace spherepair

@@ -15,8 +15,8 @@ namespace spherepair {
 namespace {
 
 constexpr size_t widest = 100, narrowest = 40;
-constexpr size_t column = 30;        // CLI11's, of the descriptions
-constexpr size_t too_narrow = 70;    // for two columns: descriptions go below the names ...
+constexpr size_t column = 30;        // where CLI11's descriptions begin
+constexpr size_t too_narrow = 70;    // below this width descriptions go below the names ...
 constexpr size_t narrow_column = 8;  // ... at this one
 
 struct Group {
@@ -51,7 +51,7 @@ std::string kind_of_value(const CLI::Option& option) {
   return type.starts_with("FLOAT") ? "X" : "NAME";
 }
 
-// What an option takes, and its default: " FILE", " N=16384", nothing for a flag.
+// The values of an option and its default: " FILE", " N=16384", empty for a flag.
 std::string values_of(const CLI::Option& option) {
   std::string text = kind_of_value(option);
   if (text.empty()) return "";
@@ -68,12 +68,12 @@ size_t terminal_width() {
   return std::clamp<size_t>(size.ws_col, narrowest, widest);
 }
 
-// The words of a line, the first after `first` spaces and those of further lines after `next`.
+// Breaks a line between words; indents the first line by `first` spaces and the others by `next`.
 std::string broken(const std::string& text, size_t first, size_t next, size_t width) {
   return wrapped(text, std::string(first, ' '), std::string(next, ' '), width) + "\n";
 }
 
-// In one column, or in two: what stands behind two blanks is the second.
+// Breaks a line of one column, or of two columns, which two blanks separate.
 std::string wrapped_line(const std::string& line, size_t width) {
   const bool narrow = width < too_narrow;
   const size_t start = std::min(line.find_first_not_of(' '), line.size()), gap = line.find("  ", start);

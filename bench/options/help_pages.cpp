@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const CLI::App& command) {
   return names;
 }
 
-// Text in which roff sees no requests.
+// Escapes a text so that roff sees no requests in it.
 std::string roff(const std::string& text) {
   return std::regex_replace(std::regex_replace(text, std::regex(R"([\\-])"), "\\$&"), std::regex("(^|\n)([.'])"),
                             "$1\\&$2");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shells and man read, made of the same descriptions as --help.
+// Makes pages for shells and man from the descriptions of --help.
 #pragma once
 
 #include <CLI/CLI.hpp>

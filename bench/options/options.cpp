@@ -13,7 +13,7 @@
 
 namespace spherepair {
 
-// CLI11 reports "abc" as out of range, reads 010 as 8 and does not know 1e6.
+// Our own validator: CLI11 reports "abc" as out of range, reads 010 as 8 and does not know 1e6.
 CLI::Validator whole_number(uint64_t low, uint64_t high) {
   const auto read = [=](std::string& text) -> std::string {
     if (const auto number = count_of(text, low, high)) {

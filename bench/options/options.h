@@ -16,7 +16,7 @@ namespace spherepair {
 
 using Action = std::function<int()>;
 
-// For transform(), which puts the digits in place of 16k or 1e6.
+// For transform(), which replaces 16k or 1e6 by digits.
 CLI::Validator whole_number(uint64_t low, uint64_t high);
 CLI::Validator real_number(double low, double high);
 
@@ -27,7 +27,8 @@ const auto steps_range = whole_number(0, kMostSteps);
 const auto block_range = whole_number(32, 1024);
 const auto fraction_range = real_number(1e-15, 0.74);  // as in check_options
 
-// A number in a range, and numbers or names separated by commas; what they hold is the default that --help names.
+// Options of one number in a range, or of numbers or names separated by commas. Their current value is the default in
+// --help.
 template <typename T>
 CLI::Option* add_number(CLI::App& command, const char* name, T& value, const CLI::Validator& range, const char* text) {
   return command.add_option(name, value, text)->transform(range)->capture_default_str();
@@ -43,7 +44,7 @@ void refuse_empty_values(CLI::App& command);
 
 // --backend: `auto`, the default, leaves the name empty (choose_backend); an unknown one is refused.
 void add_backend_option(CLI::App& command, std::string& backend, const std::string& what);
-// --backends of a study, each of which must open: none, or `auto`, stands for all that open.
+// --backends of a study: each named one must open; without names, or with `auto`, all that open.
 void add_backends_option(CLI::App& command, std::vector<std::string>& backends);
 
 // --rounds and --min-seconds of timings; --results: the folder into which a study writes `files`.
@@ -57,11 +58,11 @@ void add_block_option(CLI::App& command, uint& block);
 // --columns, --decimal-comma and --ignore-periodic, of files of spheres.
 void add_file_options(CLI::App& command, std::vector<std::string>& columns, bool& decimal_comma, bool& ignore_periodic);
 
-// A scene, a file or a checkpoint, and the motion.
+// The options for a scene, a file or a checkpoint, and for the motion.
 void add_start_options(CLI::App& command, StartOptions& start);
 
 void add_motion_options(CLI::App& command, MotionChoice& motion);
-void add_contact_options(CLI::App& command, MotionChoice& motion);  // after those of the motion
+void add_contact_options(CLI::App& command, MotionChoice& motion);  // call it after add_motion_options
 
 void add_verbosity_options(CLI::App& command, Verbosity& verbosity);
 void add_size_option(CLI::App& command, uint& width, uint& height);  // --size 1280x720

@@ -20,19 +20,21 @@ void wait_passively(char** argv) {
   for (const char* name : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"})
     if (std::getenv(name)) return;
   ::setenv("OMP_WAIT_POLICY", "passive", 1);
-  ::execv("/proc/self/exe", argv);  // returns only where that is not possible: then threads spin
+  ::execv("/proc/self/exe", argv);  // returns only on failure; threads then spin
 }
 
-// As many threads of our own, all there at once, show whether OpenMP's can start. Theirs then stay until the end.
+// Starts as many threads of our own at once, to learn whether OpenMP's can start. OpenMP's threads then stay until the
+// end.
 void start_team(int threads) {
-  const size_t wanted = size_t(threads > 0 ? threads : omp_get_num_procs()) - 1;  // with this one
+  const size_t wanted = size_t(threads > 0 ? threads : omp_get_num_procs()) - 1;  // besides this thread
   std::vector<std::thread> trial;
   std::latch all_tried(1);
   std::string trouble;
   try {
     trial.reserve(wanted);
     while (trial.size() < wanted) trial.emplace_back([&] { all_tried.wait(); });
-    // What OpenMP allocates for its team besides the stacks: where that fails, it ends the program.
+    // As much memory as OpenMP allocates for its team besides the stacks: if its own allocation fails, it ends the
+    // program.
     const std::vector<char> of_team((wanted + 64) * 1024);
   } catch (const std::exception& error) {
     trouble = error.what();

@@ -15,13 +15,13 @@
 namespace spherepair {
 namespace {
 
-// std::fputs does not throw: standard error may be full too.
+// Prints by std::fputs, which does not throw: standard error may be full, too.
 int fail(ExitCode code, const std::string& message) {
   std::fputs(fmt::format("spherepair: {}\n", message).c_str(), stderr);
   return code;
 }
 
-// The error of a write to standard output is told once, by run_action.
+// run_action reports a failed write to standard output, so it is not reported twice.
 int fail_unless_told(ExitCode code, const std::string& message) {
   return std::ferror(stdout) ? kUsage : fail(code, message);
 }
@@ -44,7 +44,7 @@ int code_of(const std::function<int()>& action) {
 
 int run_action(const std::function<int()>& action) {
   const int code = code_of(action);
-  remove_empty_folders();  // of a command that failed before its first result
+  remove_empty_folders();  // if the command failed before its first result
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
   fail(kUsage, fmt::format("cannot write to standard output: {}", std::strerror(errno)));
   return code == kDifference ? kDifference : kUsage;

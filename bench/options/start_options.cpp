@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of what a run starts from, and of its motion.
+// The options for the start of a run and for its motion.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +21,7 @@ constexpr const char* of_file = "--frame --columns --decimal-comma --ignore-peri
 constexpr const char* of_start =
     "--input --radius --motion --precision --contact --walls --box --no-sleeping --density --plane";
 
-// Does it with each of the options whose names stand in `names`.
+// Calls `act` with each of the options in `names`.
 void for_each(CLI::App& command, const std::string& names, const std::function<void(CLI::Option*)>& act) {
   for (const std::string& name : CLI::detail::split(names, ' ')) act(command.get_option(name));
 }

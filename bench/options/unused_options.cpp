@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// The options of a subcommand as they were given, with their defaults.
+// The given options of a subcommand, and the defaults of the others.
 class Given {
  public:
   explicit Given(const CLI::App& command) : command_(command) {}
@@ -57,7 +57,7 @@ void refuse_of_scene(const Given& given) {
                with + ", which has no groups: omit it, or choose --scene aligned");
 }
 
-// Where no step is taken and no checkpoint written, nothing shows how spheres move.
+// Refuses options of motion in a run that takes no step and writes no checkpoint: they would have no effect.
 void refuse_of_motion(const Given& given, const std::string& command) {
   if (command != "run" && command != "render") return;
   const bool render = command == "render", moves = !given.is("--steps", {"0"}) ||
@@ -80,7 +80,7 @@ void refuse_of_contacts(const Given& given) {
                "on a scene in a closed box of its own: omit it, or choose another --scene");
 }
 
-// All backends named are among these; none named stands for any.
+// Whether all named backends are among these. No names mean any backend, so the answer is no.
 bool only(const Given& given, const std::set<std::string>& backends) {
   const Words named = given.list(given.has("--backend") ? "--backend" : "--backends");
   return !named.empty() && std::ranges::all_of(named, [&](const auto& name) { return backends.contains(name); });

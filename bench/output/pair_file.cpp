@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-// As the structured arrays' rows lie in the file.
+// A row of the structured array in the file.
 struct [[gnu::packed]] ContactRow {
   uint32_t i, j;
   Contact contact;
@@ -132,8 +132,8 @@ NeighbourFiles neighbour_files(const std::string& file, bool distances) {
           stem + ".shifts.npy"};
 }
 
-// `pairs` must be sorted. The first loop then writes each sphere's lower neighbours in ascending order, the second its
-// higher ones behind them.
+// `pairs` must be sorted. The first loop then writes each sphere's lower neighbours in ascending order, the second
+// appends its higher ones.
 void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,
                       std::span<const vec4> spheres) {
   std::vector<uint64_t> offsets(counts.size() + 1, 0);

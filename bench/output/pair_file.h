@@ -15,8 +15,8 @@ namespace spherepair {
 // Throws std::invalid_argument for an unknown extension of `option`'s file. Pipes and devices take text.
 void check_pair_file(const std::string& option, const std::string& file);
 
-// The character between two columns of a text file, and the line that names its columns: `i,j` in CSV, `# i j` in other
-// files. Standard output has no such line, since programs read it.
+// The separator of columns in a text file, and its line of column names: `i,j` in CSV, `# i j` in other files. Standard
+// output has no such line, since programs read it.
 char separator_of_rows(const std::string& file);
 std::string names_line(const std::string& file, const std::vector<std::string>& names);
 
@@ -38,7 +38,7 @@ void write_contact_numbers(const std::string& file, std::span<const uint> counts
 // ascending, are neighbours[offsets[i]] to neighbours[offsets[i + 1] - 1].
 struct NeighbourFiles {
   std::string offsets, neighbours, distances;
-  std::string shifts;  // list.shifts.npy (2 m x 3, int32), written for periodic boxes alone
+  std::string shifts;  // list.shifts.npy (2 m x 3, int32), only for periodic boxes
 };
 NeighbourFiles neighbour_files(const std::string& file, bool distances);
 void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,

@@ -25,8 +25,9 @@ void subtract_squared_distance(Squares& sum, const vec4& a, const vec4& b) {
   add_square(sum, -1, a.z, -b.z);
 }
 
-// The squared sum of the radii less the squared distance of the centres, to one unit in the last place and with its
-// sign: the overlap is this over their sum, without the cancellation of a difference of lengths.
+// The squared sum of the radii minus the squared distance of the centres, with the right sign and an error of at most
+// one unit in the last place. The overlap is this over the sum of radii and distance, which avoids the cancellation of
+// a difference of lengths.
 double squared_gap(const vec4& a, const vec4& b) {
   Squares sum;
   add_square(sum, 1, a.w, b.w);

@@ -11,18 +11,19 @@
 namespace spherepair {
 namespace {
 
-using Numbers = std::array<float, quantity_names.size()>;  // as they lie in an NPY row
+using Numbers = std::array<float, quantity_names.size()>;  // in the order of an NPY row
 
 Numbers numbers_of(const vec4& p, const vec4& v) { return {p.x, p.y, p.z, p.w, v.x, v.y, v.z}; }
 
-constexpr const char* species = "X ";  // which other programs want
+constexpr const char* species = "X ";  // which other programs require
 
 struct TextFormat {
   std::string head, species;
   const char* separator;
 };
 
-// Edges as differences in float64: those added to the origin, and rounded to float32, are the corners again.
+// The box as Origin and Lattice. Edges are differences in float64: added to the origin and rounded to float32 they give
+// the corners again.
 std::string text_of(const std::optional<WallBox>& box) {
   if (!box) return "";
   const auto edge = [&](size_t axis) { return double(box->high[axis]) - double(box->low[axis]); };

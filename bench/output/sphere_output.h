@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes spheres: positions, radii and velocities. read_sphere_file reads them to the same float32 bits, all but .vtp.
+// Writes spheres: positions, radii and velocities. read_sphere_file reads all formats but .vtp back to the same float32
+// bits.
 #pragma once
 
 #include <optional>
@@ -15,14 +16,14 @@ namespace spherepair {
 // Throws std::invalid_argument for an unknown extension of `option`'s file.
 void check_sphere_output(const std::string& option, const std::string& file);
 
-// By the extension: .npy, a structured array of pos (3), radius and velo (3), float32; .vtp, VTK PolyData with radius
-// and velocity, float32; .xyz or .extxyz, extended XYZ; .csv, .tsv, .txt, .dat or - (standard output), columns of text.
-// Text has the fewest digits, nine at most, that give the same float32. Extended XYZ has the box as well, as Origin and
-// Lattice, and no axis is periodic.
+// Writes by the extension: .npy: a structured array of pos (3), radius and velo (3), float32; .vtp: VTK PolyData with
+// radius and velocity, float32; .xyz or .extxyz: extended XYZ; .csv, .tsv, .txt, .dat or - (standard output): columns
+// of text. Text has the fewest digits, nine at most, that give the same float32. Extended XYZ also has the box as
+// Origin and Lattice, without periodic axes.
 void write_spheres(const std::string& file, std::span<const vec4> positions, std::span<const vec4> velocities,
                    const std::optional<WallBox>& box = {});
 
-// A frame of extended XYZ: the same lines as text, with more keys in the comment. Its file: .xyz, .extxyz or -.
+// A frame of extended XYZ as text, with additional keys in the comment. Its file must be .xyz, .extxyz or -.
 std::string xyz_frame(std::span<const vec4> positions, std::span<const vec4> velocities,
                       const std::optional<WallBox>& box, const std::string& keys);
 // The bytes of a .vtp file.

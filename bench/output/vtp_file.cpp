@@ -22,7 +22,7 @@ class VtpWriter {
  public:
   VtpWriter(const Sink& sink, uint64_t count) : sink_(sink), count_(count) {}
 
-  // The descriptions of arrays, which are written in the order in which they are described.
+  // Describes arrays, which must be written in the order of their descriptions.
   std::string described(std::initializer_list<Array> arrays) {
     std::string text;
     for (const Array& array : arrays) {
@@ -34,7 +34,7 @@ class VtpWriter {
     return text;
   }
 
-  // number_of(sphere, component).
+  // Writes number_of(sphere, component) for all spheres.
   template <typename Number>
   void write(const Array& array, auto number_of) {
     const uint64_t bytes = bytes_of_array(array);

@@ -37,7 +37,7 @@ uint64_t end_of(const RunOptions& options, const Start& start) {
                                             *options.until_step, start.step));
   }
   if (options.seconds) {
-    const double rounding = 1 - 0x1p-23;  // of dt to float32: 0.1 s are 250 steps of 0.0004 s
+    const double rounding = 1 - 0x1p-23;  // dt was rounded to float32: 0.1 s are 250 steps of 0.0004 s
     const double steps = std::ceil(rounding * *options.seconds / double(start.scene.dt));
     if (!(double(start.step) + steps <= most_steps))
       throw std::invalid_argument(fmt::format("--time {} takes {:.3g} steps of {:.3g} s: give a shorter one",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `spherepair run` is asked for.
+// The options of `spherepair run`.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ struct RunOptions {
   uint block = 0;                             // 0: not given
   std::optional<uint64_t> steps, until_step;  // at most one of these and of seconds; none: 0 steps
   std::optional<double> seconds;
-  bool until_rest = false;  // where all of these are the most
+  bool until_rest = false;  // then the others are an upper limit
   Verbosity verbosity = Verbosity::normal;
   bool per_step = false, naive = false, swept = false, hashes = false;
   std::string pairs_file, contacts_file, json_file;
-  std::string spheres_file;         // those at the end
+  std::string spheres_file;         // the spheres at the end
   std::string save_file;            // a checkpoint
   uint64_t save_every = 0;          // steps; 0: only at the end
   std::string statistics_file;      // of contacts, .csv
@@ -28,11 +28,11 @@ struct RunOptions {
   uint64_t trajectory_every = 100;  // steps
 };
 
-// The step that the run ends with at the latest. Throws std::invalid_argument where that is before the start.
+// The last step of the run, if it does not end earlier. Throws std::invalid_argument if that is before the start.
 uint64_t end_of(const RunOptions& options, const Start& start);
 
-// The command that goes on from the checkpoint of this step to the step `end`, for a shell. Its frames go into another
-// file: trajectory-5000.extxyz.
+// The shell command that continues from the checkpoint of this step to the step `end`. It names a new file for frames:
+// trajectory-5000.extxyz.
 std::string command_to_go_on(const RunOptions& options, uint64_t step, uint64_t end);
 
 }  // namespace spherepair

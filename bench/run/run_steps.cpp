@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t steps_between_looks = 1000;  // of --until-rest
+constexpr uint64_t steps_between_looks = 1000;  // for --until-rest
 
 void save(Backend& backend, const Start& start, uint64_t step, const Backend::State& state, const std::string& file) {
   Checkpoint checkpoint{start.scene, backend.save(), step};
@@ -54,7 +54,7 @@ std::vector<RunStep> Run::simulate() {
   });
 }
 
-// The last step is done between timers, kernel by kernel. In software OpenGL's would stop before the work does.
+// Times the last step kernel by kernel. Not in software OpenGL, whose timers stop before the work does.
 template <typename Work>
 std::vector<RunStep> Run::time_last(Work work) {
   const bool timers = backend_.info().device_timers || backend_.info().on_host;
@@ -65,20 +65,20 @@ std::vector<RunStep> Run::time_last(Work work) {
   return std::move(results_);
 }
 
-// The next step after which there is something to do.
+// The next step at which the run searches, writes, looks for rest or ends.
 uint64_t Run::next_stop() const {
   if (options_.per_step) return step_ + 1;
   uint64_t stop = end_ - 1;
   for (const uint64_t every : {options_.save_every, statistics_every(), trajectory_every()})
     if (every) stop = std::min(stop, (step_ / every + 1) * every);
-  if (options_.until_rest) {  // two steps after each other
+  if (options_.until_rest) {  // looks at two consecutive steps
     const uint64_t look = (step_ / steps_between_looks + 1) * steps_between_looks;
     stop = std::min(stop, step_ + 1 < look ? look - 1 : look);
   }
   return stop;
 }
 
-// On a GPU moves are enqueued: they take until the wait.
+// Moves to this step. On a GPU moves are enqueued, so their time includes the wait.
 void Run::move_to(uint64_t stop) {
   times_.spend(RunTimes::moves, [&] {
     while (step_ < stop) {
@@ -94,7 +94,8 @@ void Run::move_to(uint64_t stop) {
   });
 }
 
-// Whether a step changed nothing: no later one does. Where all are at rest, one step more is the last.
+// Compares the states of two consecutive steps. If they are equal, no later step changes anything, and the run ends
+// with the next step.
 void Run::look_for_rest(uint64_t state) {
   if (seen_ && seen_->step + 1 == step_) {
     summary_.at_rest = seen_->state == state;
@@ -110,7 +111,7 @@ void Run::summarize(const Backend::State& state) {
     summary_.greatest_speed = std::max(summary_.greatest_speed, std::hypot(double(v.x), double(v.y), double(v.z)));
 }
 
-// Searches, measures and writes at the current step, as far as the options ask for it.
+// Searches, measures and writes at the current step, as the options ask.
 void Run::stand() {
   const bool last = step_ == end_, wanted = last || options_.per_step, measures = is_due(statistics_every());
   const bool counts = measures || (last && finds_contacts()), frames = is_due(trajectory_every());

@@ -18,17 +18,17 @@ json to_json(const RunStep& result);
 // How a run ended.
 struct RunSummary {
   uint64_t step = 0;
-  double seconds = 0;                // step * dt
-  double greatest_speed = 0;         // m/s
-  std::optional<bool> at_rest = {};  // to the bit: the last step changed nothing; none where nothing can come to rest
-  std::optional<ContactStatistics> contacts = {};  // that push, where the search finds every pair
+  double seconds = 0;                              // step * dt
+  double greatest_speed = 0;                       // m/s
+  std::optional<bool> at_rest = {};                // the last step changed no bit; none if spheres cannot come to rest
+  std::optional<ContactStatistics> contacts = {};  // if spheres push each other and the search finds every pair
 };
 std::string text_of(const RunSummary& summary);
 json to_json(const RunSummary& summary);
 
 // Moves to the last step, or until all spheres are at rest; keeps the results of the last step, or of every step with
-// --per-step. Writes checkpoints, statistics and the trajectory on the way. If a step fails, what was written before it
-// stays.
+// --per-step. Writes checkpoints, statistics and the trajectory on the way. If a step fails, files written before it
+// stay.
 class Run {
  public:
   Run(Backend& backend, const RunOptions& options, const Start& start, const CollideOptions& collide, RunTimes& times)
@@ -68,8 +68,8 @@ class Run {
   GrowingFile table_;  // of the statistics
   GrowingFile trajectory_;
   uint64_t step_, end_;
-  const uint64_t most_;          // end_ before all are at rest
-  std::optional<RunStep> seen_;  // the last state that was looked at for rest
+  const uint64_t most_;          // end_, unless all come to rest earlier
+  std::optional<RunStep> seen_;  // the last state that was compared for rest
   Progress progress_;
   std::vector<RunStep> results_;
   std::vector<ContactStatistics> statistics_;

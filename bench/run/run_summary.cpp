@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run says at its end.
+// The summary at the end of a run.
 #include <fmt/format.h>
 
 #include "bench/run/run_steps.h"

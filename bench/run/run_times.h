@@ -13,7 +13,7 @@ namespace spherepair {
 
 class RunTimes {
  public:
-  // Wall-clock seconds of a piece of work, added to that of its kind.
+  // Runs the work and adds its wall-clock seconds to those of its kind.
   enum Part { spheres, opening, moves, searches, states, parts };
   template <typename Work>
   auto spend(Part part, Work work) {
@@ -26,7 +26,7 @@ class RunTimes {
   }
   void count(Part part, uint64_t times) { counts_[part] += times; }
 
-  // Of the last step, with every kernel between timers: on a GPU the device's, on the CPU the host's clock.
+  // Sets the times of the last step's kernels: by the device's timers on a GPU, by the host's clock on the CPU.
   void set_stages(const Backend& backend, std::vector<StageTime> stages);
 
   std::string text() const;

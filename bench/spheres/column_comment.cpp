@@ -11,11 +11,11 @@
 namespace spherepair {
 namespace {
 
-// Of prose: with one of these a comment lists no names.
+// Words of prose: a comment with one of these lists no names.
 constexpr std::array<std::string_view, 19> prose = {
     "and",    "of",      "each",   "the",     "is",          "are",        "with",    "from",   "for",   "all",
     "centre", "centres", "center", "centers", "coordinates", "coordinate", "columns", "column", "fields"};
-// Columns that are no quantity, whose place among x, y and z counts.
+// Columns that are not quantities, but whose place among x, y and z counts.
 constexpr std::array<std::string_view, 14> table_words = {"id",      "ids",     "index",    "nr",       "type",
                                                           "types",   "species", "element",  "elements", "mass",
                                                           "density", "charge",  "diameter", "diameters"};
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 14> table_words = {"id",      "ids",     
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// `1:id 2:x`, `1=id`, `1: id`: without the numbers.
+// Removes the numbers of `1:id 2:x`, `1=id` or `1: id`.
 std::string without_numbers(std::string_view text) {
   std::string left;
   for (size_t k = 0; k < text.size(); ++k) {
@@ -39,7 +39,7 @@ std::string without_numbers(std::string_view text) {
   return left;
 }
 
-// Calls work with the place of each character outside brackets and double quotes.
+// Calls work with the index of each character outside brackets and double quotes.
 template <typename Work>
 void for_outside(std::string_view text, Work work) {
   size_t depth = 0;
@@ -54,7 +54,7 @@ void for_outside(std::string_view text, Work work) {
   }
 }
 
-// Without `columns:` or `columns =` before it, and brackets around all.
+// Removes `columns:` or `columns =` before the text, and brackets around all of it.
 std::string_view without_label(std::string_view text) {
   size_t label = text.npos;
   for_outside(text, [&](size_t k) {
@@ -70,7 +70,7 @@ std::string_view without_label(std::string_view text) {
   return text;
 }
 
-// Separators in brackets do not count; of `x [mm] y [mm]` two.
+// Splits a list of names. Separators in brackets do not count: `x [mm] y [mm]` has two names.
 std::vector<std::string> split_names(std::string_view text, char separator) {
   std::vector<size_t> cuts;
   for_outside(text, [&](size_t k) {
@@ -92,7 +92,7 @@ std::vector<std::string> split_names(std::string_view text, char separator) {
   return names;
 }
 
-// Without a unit in brackets.
+// The name without a unit in brackets.
 std::string base_of(std::string_view name) { return lower_case(trimmed(name.substr(0, name.find_first_of("[(")))); }
 
 bool holds_xyz(std::span<const std::string> words) {
@@ -108,7 +108,7 @@ bool is_plain(const std::string& name, char separator) {
   return one_word && !std::ranges::count(prose, base) && !parse_decimal(base) && (!known || known->count == 1);
 }
 
-// px py pz, Points:0 ...: three names that differ in one character, after another name.
+// Whether three names after another one differ in one character: px py pz, Points:0 ...
 bool has_other_axes(std::span<const std::string> names) {
   for (size_t k = 1; k + 2 < names.size(); ++k) {
     const std::string a = base_of(names[k]), b = base_of(names[k + 1]), c = base_of(names[k + 2]);
@@ -123,7 +123,7 @@ bool has_other_axes(std::span<const std::string> names) {
   return false;
 }
 
-// x, y, z, radius ... as they come first in the text, and other words of tables.
+// Names of quantities and other words of tables, in the order of their first occurrence.
 std::vector<std::string> order_of(std::string_view text, std::span<const std::string> names, char separator) {
   std::string spaced = lower_case(text);
   std::ranges::replace_if(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a file's lines, a sphere each.
+// Reads the numbers of a file's lines, a sphere each.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ struct Decimal {
   float rounded;  // from the text, not from the float64 value
   bool changed;
 };
-// None if it is not a number. The exponent's letter is e, E, d or D.
+// None if the text is not a number. The exponent's letter is e, E, d or D.
 std::optional<Decimal> parse_decimal(std::string_view text, bool decimal_comma = false);
 
 Decimal halved(const Decimal& diameter);
 
-// Reads the fields of lines into rows of spheres. Throws std::invalid_argument with the line for another number of
-// fields than there are columns, and for what is no valid number.
+// Reads the fields of lines into rows of spheres. Throws std::invalid_argument with the line for a wrong number of
+// fields and for a field that is not a valid number.
 class RowReader {
  public:
   RowReader(const FileBytes& file, const Columns& columns, bool decimal_comma)
@@ -33,7 +33,7 @@ class RowReader {
 
   void read(uint64_t line, std::string_view text, std::span<const std::string_view> fields, uint64_t sphere,
             SphereRows& rows);
-  uint64_t changed() const { return changed_; }  // numbers, by rounding to float32
+  uint64_t changed() const { return changed_; }  // numbers that rounding to float32 changed
 
  private:
   Decimal number(uint64_t line, std::string_view field, Quantity quantity) const;

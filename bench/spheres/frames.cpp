@@ -115,7 +115,7 @@ void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, co
   input.format = fmt::format("({}){}", columns.text, lines.spheres > 0 ? ": " + describe(columns) : "");
 }
 
-// Where pairs across a periodic boundary are not found, such a file would lose them in silence.
+// A command that does not search across periodic boundaries would lose pairs of such a file silently.
 void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
                        const char* wanted, const SphereFileOptions& options, SphereFile& input) {
   const auto fail = [&](std::string_view expected) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text files with frames. A frame has some lines of its own, then one line per sphere.
+// Reads text files with frames. A frame has some lines of its own, then one line per sphere.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// The lines of a frame's spheres, in chunks of which a thread reads one at a time.
+// The lines of a frame's spheres, in chunks; a thread reads one chunk at a time.
 struct SphereLines {
   struct Chunk {
     FileLines start;
@@ -18,22 +18,23 @@ struct SphereLines {
   };
   uint64_t spheres = 0;
   std::vector<Chunk> chunks = {};
-  std::vector<size_t> lists = {};  // of PLY: before which column there is a list, its length and so many fields
-  bool comments = false;           // of LAMMPS's data: # ends the numbers of a line
+  std::vector<size_t> lists = {};  // PLY: the columns that a list precedes, its length and that many fields
+  bool comments = false;           // LAMMPS data: # ends the numbers of a line
 };
 
-// Passes over the lines of so many spheres; throws where the file ends before, which `said` names: line 2.
+// Skips the lines of `spheres` spheres. Throws if the file ends earlier; `said` names the line with their number: line
+// 2.
 SphereLines pass_over_spheres(const FileBytes& file, FileLines& cursor, uint64_t spheres, const std::string& said,
                               const char* what = "sphere");
 
-// Of the box of a LAMMPS file: throws unless the words are so many finite numbers.
+// The numbers of a LAMMPS file's box. Throws unless the words are `count` finite numbers.
 std::vector<double> finite_numbers(const FileBytes& file, uint64_t line, std::span<const std::string> words,
                                    size_t count);
 
-// A number of spheres, in a line of its own.
+// Reads the number of spheres from a line of its own.
 uint64_t read_sphere_count(const FileBytes& file, FileLines& cursor, const std::string& expected);
 
-// Calls read_frame(cursor) until the file ends, once at least: all frames must be complete.
+// Calls read_frame(cursor) at least once and until the file ends: all frames must be complete.
 template <typename ReadFrame>
 void for_frames(const FileBytes& file, ReadFrame read_frame) {
   require_text(file);
@@ -44,13 +45,13 @@ void for_frames(const FileBytes& file, ReadFrame read_frame) {
   } while (!cursor.at_end());
 }
 
-// Reads the spheres, and fills what the input says of their columns; `format` are these in words, without the format's
-// name. `line` is that of the columns' names.
+// Reads the spheres, and fills the input's fields about their columns; input.format gets the columns in words, without
+// the format's name. line: the line of the columns' names.
 void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, const SphereLines& lines,
                        const SphereFileOptions& options, SphereRows& rows, SphereFile& input);
 
-// A periodic box, in the file's words (`text`; empty where nothing is periodic): taken, ignored or refused, as the
-// options say. `where`: the file and the place in it. box: if it can be taken; else `wanted` says how it must be
+// Takes, ignores or refuses a periodic box, as the options say. text: the box in the file's words; empty if nothing is
+// periodic. where: the file and the place in it. box: the box, if it can be taken; else `wanted` says how it must be
 // written.
 void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
                        const char* wanted, const SphereFileOptions& options, SphereFile& input);
@@ -62,7 +63,7 @@ class Frames {
   virtual SphereFile read(size_t frame, SphereRows& rows) const = 0;
 };
 
-// The readers of the formats. The file and the options must outlive what they return.
+// The readers of the formats. The file and the options must outlive the returned object.
 std::unique_ptr<Frames> xyz_frames(const FileBytes& file, const SphereFileOptions& options);
 std::unique_ptr<Frames> lammps_frames(const FileBytes& file, const SphereFileOptions& options);
 

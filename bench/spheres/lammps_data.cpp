@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-// The columns of an atom by the style in the comment behind Atoms. Three numbers of images may follow.
+// The columns of an atom by the style in the comment after Atoms. Three image numbers may follow.
 constexpr std::pair<std::string_view, std::string_view> styles[] = {
     {"angle", "id molecule type x y z"},     {"atomic", "id type x y z"},
     {"bond", "id molecule type x y z"},      {"bpm/sphere", "id molecule type diameter density x y z"},
@@ -30,7 +30,7 @@ struct DataHeader {
 };
 
 struct Section {
-  uint64_t line = 0;       // of its name; 0: there is none
+  uint64_t line = 0;       // of its name; 0: there is no such section
   std::string text = {};   // of that line
   std::string style = {};  // in its comment
 };
@@ -62,7 +62,7 @@ void read_box_line(const FileBytes& file, uint64_t line, std::span<const std::st
   rows[1][0] = tilts[0], rows[2][0] = tilts[1], rows[2][1] = tilts[2];
 }
 
-// Up to the first section, which does not begin with a number.
+// Reads up to the first section, whose name does not begin with a number.
 DataHeader read_header(const FileBytes& file, FileLines& cursor) {
   DataHeader header;
   header.box.periodic = {true, true, true};
@@ -96,7 +96,7 @@ DataHeader read_header(const FileBytes& file, FileLines& cursor) {
   return header;
 }
 
-// Passes over other sections, to behind the name of this one and the blank line below it.
+// Skips other sections, the name of this one and the blank line below it.
 Section find_section(const FileBytes& file, FileLines& cursor, std::string_view name) {
   while (!cursor.at_end()) {
     const uint64_t line = cursor.line;
@@ -152,7 +152,7 @@ Columns columns_of(const FileBytes& file, const Section& section, const SphereLi
   return columns;
 }
 
-// id vx vy vz, and more of some styles, in any order of the atoms.
+// Reads lines of id vx vy vz, and more in some styles, in any order of the atoms.
 void read_velocities(const FileBytes& file, const SphereLines& atoms, const SphereLines& lines, SphereRows& rows,
                      SphereFile& input) {
   if (atoms.spheres == 0) return;

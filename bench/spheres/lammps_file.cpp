@@ -15,10 +15,10 @@ constexpr std::string_view item = "ITEM: ";
 
 struct DumpBox {
   uint64_t line = 0;       // of ITEM: BOX BOUNDS
-  std::string text = {};   // what follows it
+  std::string text = {};   // the rest of that line
   std::string flags = {};  // two letters an axis: pp is periodic, f, s and m are not
   ListBox box = {};
-  std::array<double, 3> low = {};  // where it is along the axes
+  std::array<double, 3> low = {};  // the lower corner
   bool along_axes = false;
 };
 
@@ -36,7 +36,7 @@ std::vector<double> numbers_in(const FileBytes& file, FileLines& cursor, size_t 
   return finite_numbers(file, line, words_in(cursor.next()), count);
 }
 
-// Bounds of a tilted box enclose it; its edges begin and end within them by the tilts.
+// Sets the edges. The bounds of a tilted box enclose it, so its edges are shorter by the tilts.
 void set_edges(DumpBox& box, const std::array<std::vector<double>, 3>& bounds, bool tilted) {
   const double xy = tilted ? bounds[0][2] : 0, xz = tilted ? bounds[1][2] : 0, yz = tilted ? bounds[2][2] : 0;
   const double below[3] = {std::min({0.0, xy, xz, xy + xz}), std::min(0.0, yz), 0};
@@ -49,7 +49,7 @@ void set_edges(DumpBox& box, const std::array<std::vector<double>, 3>& bounds, b
   box.along_axes = xy == 0 && xz == 0 && yz == 0;
 }
 
-// BOX BOUNDS pp pp ff; BOX BOUNDS xy xz yz pp pp pp; BOX BOUNDS abc origin pp pp pp.
+// Reads BOX BOUNDS pp pp ff, BOX BOUNDS xy xz yz pp pp pp, or BOX BOUNDS abc origin pp pp pp.
 DumpBox read_bounds(const FileBytes& file, FileLines& cursor, std::string_view head) {
   DumpBox box{.line = cursor.line - 1, .text = std::string(trimmed(head))};
   std::vector<std::string> words = words_in(head);
@@ -114,7 +114,7 @@ DumpFrame read_dump_frame(const FileBytes& file, FileLines& cursor) {
   }
 }
 
-// Unwrapped coordinates where there are no others; element or type is the species.
+// Names of columns. Takes unwrapped coordinates if there are no others; element or type is the species.
 std::vector<NamedColumn> named_columns(const FileBytes& file, const DumpFrame& frame) {
   const auto has = [&](const char* name) { return std::ranges::count(frame.names, name) > 0; };
   const bool wrapped = has("x") || has("y") || has("z");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads spheres from an NPY array: n x 3 centres, n x 4 with the radius, or a structured array with fields of these
-// names. Its binary numbers are converted as those of all formats are.
+// names. Also converts the binary numbers of all other formats.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Number load(const NumberColumn& column, uint64_t row) {
   return std::bit_cast<Number>(bytes);
 }
 
-// Float32 holds every number of the shorter types.
+// Converts a number, and notes whether float32 changes it. Float32 holds every number of the shorter types.
 template <typename Number>
 Decimal converted(Number number) {
   if constexpr (std::is_same_v<Number, Half> || sizeof(Number) < 4 || std::is_same_v<Number, float>) {

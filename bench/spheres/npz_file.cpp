@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view extension = ".npy";
 
-// An array of numbers: a table of 1 row (), n rows (n,) or n rows and c columns (n, c); 0 columns: not one of these.
+// An array of numbers: a table of 1 row (), n rows (n,) or n rows and c columns (n, c); 0 columns: none of these
+// shapes.
 struct Array {
   std::string name;
   FileBytes file;
@@ -37,7 +38,7 @@ class Archive {
  public:
   explicit Archive(const FileBytes& file) : file_(file), members_(zip_members(file)) {}
 
-  // Of all arrays but the box, as they are in the file.
+  // The names of all arrays but the box, in the file's order.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const ZipMember& member : members_)
@@ -59,7 +60,7 @@ class Archive {
   std::vector<ZipMember> members_;
 };
 
-// By default arrays whose names are known; else those that --columns names.
+// Whether the array is read: it has a known name or, with --columns, a name in it.
 bool is_wanted(const std::string& name, const SphereFileOptions& options) {
   if (options.columns.empty()) return known_name(name) != nullptr;
   return std::ranges::any_of(options.columns, [&](const std::string& word) {
@@ -71,7 +72,7 @@ bool is_wanted(const std::string& name, const SphereFileOptions& options) {
   array.file.fail_at_byte(array.header.shape_at, expected, fmt::format("({})", fmt::join(array.header.shape, ", ")));
 }
 
-// Several arrays side by side, with equally many rows.
+// Reads several arrays side by side, which must have equally many rows.
 SphereFile read_arrays(const FileBytes& file, const Archive& archive, const SphereFileOptions& options,
                        SphereRows& rows) {
   std::vector<Array> arrays;
@@ -131,7 +132,7 @@ std::vector<double> numbers_of(Array& array) {
   return numbers;
 }
 
-// box: three rows, or three lengths; pbc: one flag, or three; without it the box is periodic along all axes.
+// Reads box, three rows or three lengths, and pbc, one flag or three. Without pbc the box is periodic along all axes.
 void read_box(const Archive& archive, const SphereFileOptions& options, SphereFile& input) {
   std::optional<Array> box = archive.array("box"), pbc = archive.array("pbc");
   if (!box && !pbc) return;

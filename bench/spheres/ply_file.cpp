@@ -17,7 +17,7 @@ namespace {
 struct Scalars {
   std::vector<NamedColumn> names = {};
   std::vector<size_t> property = {};  // of each
-  std::vector<size_t> lists = {};     // for each list how many stand before it
+  std::vector<size_t> lists = {};     // for each list the number of scalars before it
 };
 
 Scalars scalars_of(const PlyElement& element) {
@@ -75,7 +75,7 @@ uint64_t whole_number_at(const FileBytes& file, uint64_t at, std::string_view dt
   return little_endian(bytes);
 }
 
-// The byte behind so many items from `at` on, which must be in the file.
+// The offset after `count` items from `at` on, which must be in the file.
 uint64_t behind(const FileBytes& file, const PlyElement& element, uint64_t at, uint64_t count, uint64_t item_bytes) {
   const uint64_t left = file.bytes().size() - at;
   if (item_bytes > 0 && count > left / item_bytes)
@@ -86,7 +86,7 @@ uint64_t behind(const FileBytes& file, const PlyElement& element, uint64_t at, u
   return at + count * item_bytes;
 }
 
-// The byte behind an element. Sets where the columns stand that belong to its properties; null: not read.
+// The offset after an element. Sets the places of the columns that belong to its properties; null: not read.
 uint64_t pass_over(const FileBytes& file, const PlyElement& element, uint64_t at,
                    std::span<NumberColumn* const> columns) {
   uint64_t row_bytes = 0;

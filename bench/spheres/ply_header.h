@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header of a PLY file: its elements, their properties and where the data begin.
+// Reads the header of a PLY file: its elements, their properties and the start of the data.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace spherepair {
 
 struct PlyProperty {
   std::string name;
-  std::string dtype;              // as NPY names it: <f4; of a list that of its entries
+  std::string dtype;              // as NPY names it: <f4; for a list the type of its entries
   std::string length_dtype = {};  // of a list; else empty
 
   bool is_list() const { return !length_dtype.empty(); }
@@ -29,13 +29,13 @@ struct PlyElement {
 struct PlyHeader {
   std::string format;  // ascii, binary_little_endian or binary_big_endian
   std::vector<PlyElement> elements;
-  size_t vertex = 0;  // which of them has the spheres
+  size_t vertex = 0;  // the index of the element with the spheres
   FileLines data;
 };
 
 PlyHeader read_ply_header(const FileBytes& file);
 
-// Of a dtype such as <f4, whose last character is a digit.
+// The size of a dtype such as <f4, whose last character is a digit.
 inline uint64_t bytes_of_dtype(std::string_view dtype) { return uint64_t(dtype.back() - '0'); }
 
 }  // namespace spherepair

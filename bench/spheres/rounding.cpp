@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t many = 1 << 16;  // spheres from which on several threads share the work
 
-// A float32 that is not below the radius and its reach, or not above their difference.
+// grown_radius: a float32 not below radius + reach. shrunk_radius: one not above radius - less, but not negative.
 float grown_radius(float radius, float reach) {
   if (reach == 0) return radius;
   const float up = std::nextafter(std::max(radius, float(double(radius) + double(reach))), INFINITY);
@@ -38,7 +38,7 @@ double middle_of(const SphereRows& rows, int axis) {
   return std::round((low / 2 + high / 2) / unit) * unit;
 }
 
-// Whether x - c is the difference itself: its rounding error, which float64 holds, is zero.
+// Whether x - c is exact: its rounding error, which float64 can represent, is zero.
 bool exact_difference(double x, double c) {
   const double difference = x - c, part = difference - x;
   return (x - (difference - part)) - (c + part) == 0;
@@ -52,8 +52,8 @@ bool loses_nothing(const SphereRows& rows, int axis, double shift) {
   return all;
 }
 
-// How far rounding moved the surface of a sphere: its centre's way and its radius' change. 2^-50 covers the roundings
-// of this sum, nextafter that to float32.
+// A bound of how far rounding moved a sphere's surface: the shift of its centre plus the change of its radius. 2^-50
+// covers the roundings of this sum, nextafter the rounding to float32.
 float reach_of(const std::array<double, 4>& exact, const vec4& rounded, const std::array<double, 3>& shift) {
   const double dx = exact[0] - shift[0] - double(rounded.x), dy = exact[1] - shift[1] - double(rounded.y),
                dz = exact[2] - shift[2] - double(rounded.z), dr = exact[3] - double(rounded.w);
@@ -61,7 +61,7 @@ float reach_of(const std::array<double, 4>& exact, const vec4& rounded, const st
   return way == 0 ? 0 : std::nextafter(float(way * (1 + 0x1p-50)), INFINITY);
 }
 
-// Of all spheres as they stand in the positions.
+// Finds the reach of all spheres from their rounded positions.
 void find_reach(const SphereRows& rows, Rounding& rounding) {
   std::vector<float> reach(rows.exact.size());
   float largest = 0;
@@ -134,8 +134,8 @@ std::vector<vec4> grown(std::span<const vec4> spheres, std::span<const float> re
   return all;
 }
 
-// A radius below its sphere's reach would become negative: all shrink by the largest such lack as well, so that the sum
-// of two radii is never too large.
+// A radius below its sphere's reach would become negative. So all radii also shrink by the largest such deficit, and no
+// sum of two radii is too large.
 std::vector<vec4> shrunk(std::span<const vec4> spheres, std::span<const float> reach) {
   std::vector<vec4> all(spheres.begin(), spheres.end());
   double lack = 0;

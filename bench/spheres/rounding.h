@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a file's numbers to float32: what that changes, and how far from the file's spheres it can take a surface.
+// Rounds a file's numbers to float32, and tells what that changes and how far it can move a sphere's surface.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ struct SphereRows {
   std::vector<std::string_view> species;     // in the file's bytes; empty unless asked for
 
   void resize(uint64_t n, double radius, bool with_velocities, bool with_exact);
-  void add(double radius);  // one more, with a velocity and exact numbers
+  void add(double radius);  // appends one more, with a velocity and exact numbers
   void set(uint64_t sphere, Quantity quantity, const Decimal& number);
 };
 
 struct Rounding {
-  std::array<double, 3> shift = {};  // subtracted from every centre before it is rounded; no number loses a bit by it
+  std::array<double, 3> shift = {};  // subtracted from every centre before rounding; no number loses a bit by it
   std::vector<float> reach = {};     // of each sphere: an upper bound of how far rounding moved its surface, metres;
                                      // empty if it moved none
   float largest = 0;                 // of them
@@ -34,14 +34,14 @@ struct Rounding {
 // two of their extent, along every axis on which all differences are exact in float64.
 Rounding round_rows(SphereRows& rows, bool may_shift);
 
-// Adds a way to the reach of every sphere, if rounding moved any.
+// Adds a distance to the reach of every sphere, if rounding moved any.
 void widen(Rounding& rounding, double way);
 
-// A positive number in two digits, rounded up, so that `at most` holds for what is printed.
+// A positive number in two digits, rounded up, so that the printed text is an upper bound.
 std::string at_most(double value);
 
-// The spheres with all radii larger, or smaller, by their reach: two that do not overlap in the first overlap nowhere
-// within it, two that overlap in the second do so everywhere.
+// The spheres with all radii larger (grown) or smaller (shrunk) by their reach. Two grown spheres that do not overlap
+// stand for no pair, two shrunk ones that overlap for a pair, wherever within the reach the surfaces are.
 std::vector<vec4> grown(std::span<const vec4> spheres, std::span<const float> reach);
 std::vector<vec4> shrunk(std::span<const vec4> spheres, std::span<const float> reach);
 

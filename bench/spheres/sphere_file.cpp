@@ -55,7 +55,7 @@ void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const
       scene.positions, [&](const vec4& p) { return float_bits(p.w) == float_bits(scene.positions.front().w); });
 }
 
-// The same names for all frames.
+// Gives all frames the same list of species.
 void index_species(std::span<SphereFile> frames, std::span<const SphereRows> rows) {
   std::map<std::string_view, uint> index;
   for (const SphereRows& each : rows)

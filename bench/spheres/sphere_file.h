@@ -19,15 +19,15 @@ struct SphereFileOptions {
   std::optional<uint64_t> frame = {};     // of a file with frames, counted from 0; default: the first
   std::vector<std::string> columns = {};  // words of --columns (column_names.h)
   bool decimal_comma = false;             // of text: 0,5 is a half
-  bool ignore_radii = false;              // of the file: all spheres have the option's
-  bool species = false;                   // required if asked for: a column of text, of a format with species
+  bool ignore_radii = false;              // of the file: all spheres get the option's
+  bool species = false;                   // reads a column of text; an error for formats without species
   bool ignore_periodic = false;           // a periodic box is an error otherwise ...
   bool take_periodic = false;             // ... unless it is taken
-  bool may_shift = false;                 // by a vector, where that changes no difference of two numbers
+  bool may_shift = false;                 // subtracts a vector that changes no difference of numbers
   int threads = 0;                        // 0: all cores
 };
 
-// Spheres in a periodic box, in the file's own numbers.
+// Spheres in a periodic box, as the file's own numbers.
 struct PeriodicSpheres {
   ListBox box;
   PointSet set;
@@ -35,42 +35,42 @@ struct PeriodicSpheres {
 };
 
 struct SphereFile {
-  Scene scene;  // at rest where the file has no velocities
+  Scene scene;  // at rest if the file has no velocities
   std::string file, format;
-  bool own_radii = false;            // otherwise the option's
-  bool ignores_radii = false;        // as asked for ...
-  bool unused_radii = false;         // ... of a file that has some
+  bool own_radii = false;            // else the radius is the option's
+  bool ignores_radii = false;        // the file's radii, as asked for ...
+  bool unused_radii = false;         // ... although the file has some
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
-  std::string ignored;              // the periodic box
-  std::string unread_box;           // a comment that has a word for a box
-  std::optional<WallBox> box = {};  // along the axes, with no periodic one
+  std::string ignored;              // the periodic box, if ignored
+  std::string unread_box;           // a comment that mentions a box
+  std::optional<WallBox> box = {};  // along the axes, none of them periodic
   std::optional<PeriodicSpheres> periodic = {};
   std::string units;    // of lengths, in the file's words; empty if it has none
   bool at_rest = true;  // no sphere of the file has a velocity
   Rounding rounding;
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere
-  bool unread_species = false;       // that were not asked for
-  bool unread_momenta = false;       // without velocities
+  bool unread_species = false;       // the file has species that were not asked for
+  bool unread_momenta = false;       // the file has momenta but no velocities
 };
 
-// By the file's extension; without one, streams (-, pipes, /dev/fd/63) by their contents, and files whose columns are
-// named as text. Throws std::invalid_argument, also for an unknown extension.
+// Reads a file by its extension. Without one it reads streams (-, pipes, /dev/fd/63) by their contents, and files with
+// --columns as text. Throws std::invalid_argument, also for an unknown extension.
 SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& options);
 
-// All frames of a file, which is read once. Species are those of all frames.
+// Reads all frames of a file in one pass. Species are those of all frames.
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
 
 std::string describe(const SphereFile& input);           // all of these:
 std::string describe_file(const SphereFile& input);      // format, frame, units
-std::string box_warning(const SphereFile& input);        // empty without a word for a box
+std::string box_warning(const SphereFile& input);        // empty if the file mentions no box
 std::string describe_radii(const SphereFile& input);     // with the number of spheres
 std::string describe_digits(const SphereFile& input);    // how many are lost, and the shift
-std::string describe_rounding(const SphereFile& input);  // how far it moves a surface; empty if not
+std::string describe_rounding(const SphereFile& input);  // how far rounding moves a surface; empty if not at all
 json to_json(const SphereFile& input);
 
-// The readers of formats without frames: they fill the format's fields and the rows. Of the others: frames.h.
+// The readers of formats without frames (for the others see frames.h): they fill the fields of the format and the rows.
 struct Columns;
 struct NumberColumn;
 struct NumberTable;
@@ -83,18 +83,18 @@ SphereFile read_text(const FileBytes& file, const SphereFileOptions& options, Sp
 
 double number_at(const NumberColumn& column, uint64_t row);
 
-// For the readers. Converts binary numbers, and fills what the input says of them but the format.
+// For the readers. Converts binary numbers, and fills the input's fields about them, except the format.
 void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRows& rows, SphereFile& input);
 
-// For the readers. Takes the column of radii away if asked for; false if there was none to take.
+// For the readers. Removes the column of radii if the options ignore it; false if there was none.
 bool take_radii_away(Columns& columns, const SphereFileOptions& options);
 
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options);
 int reading_threads(const SphereFileOptions& options);
-bool radius_is_rounded(const SphereFileOptions& options);  // the one of the options
+bool radius_is_rounded(const SphereFileOptions& options);  // of the option's radius
 
-// What was expected instead of an invalid value; null for a valid one.
+// The text of what was expected instead of an invalid value; null for a valid one.
 inline const char* why_invalid(double value, bool is_radius) {
   constexpr double beyond_float32 = 0x1.ffffffp127;  // from here on rounded to infinity
   if (!(value < beyond_float32 && value > -beyond_float32)) return "a finite number within the range of float32";

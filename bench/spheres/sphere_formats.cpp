@@ -20,7 +20,7 @@ bool begins_as_xyz(std::string_view bytes) {
   return fields.size() == 1 && whole_number_of(fields[0], 0, UINT64_MAX);
 }
 bool begins_as_dump(std::string_view bytes) { return bytes.starts_with("ITEM:"); }
-// A comment and the number of atoms.
+// Whether a stream begins with a comment and the number of atoms, as LAMMPS data.
 bool begins_as_data(std::string_view bytes) {
   FileLines cursor{bytes};
   cursor.next();

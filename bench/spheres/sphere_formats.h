@@ -14,12 +14,12 @@ namespace spherepair {
 
 enum FormatTrait : unsigned { FORMAT_IS_TEXT = 1, FORMAT_HAS_BOXES = 2, FORMAT_HAS_SPECIES = 4 };
 
-// Has a reader of whole files, or one of frames.
+// A format has a reader of whole files or of frames.
 struct SphereFormat {
   const char* name;
   std::array<std::string_view, 4> extensions;
   const char* contents;                    // for help texts
-  bool (*begins)(std::string_view bytes);  // whether a stream is of this format, if it is of none before it
+  bool (*begins)(std::string_view bytes);  // whether a stream has this format, if no earlier row claims it
   SphereFile (*read)(const FileBytes&, const SphereFileOptions&, SphereRows&);
   std::unique_ptr<Frames> (*open)(const FileBytes&, const SphereFileOptions&);
   unsigned traits;
@@ -30,8 +30,8 @@ struct SphereFormat {
 
 std::span<const SphereFormat> sphere_formats();
 
-// By the file's extension; of streams by their contents; text if --columns names the columns. Throws
-// std::invalid_argument for another file, and for options that the format does not take.
+// Finds the format by the file's extension, and for streams by their contents; text if --columns names the columns.
+// Throws std::invalid_argument for an unknown format, and for options that the format does not take.
 const SphereFormat& format_of(const FileBytes& file, const SphereFileOptions& options);
 
 std::string describe_sphere_formats();  // all: `extended XYZ (.xyz, .extxyz; columns pos and ...), ...`

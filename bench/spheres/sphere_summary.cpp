@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a file that was read.
+// The texts about a file that was read.
 #include <fmt/format.h>
 
 #include <algorithm>

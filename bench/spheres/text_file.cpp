@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads spheres from lines of text, a sphere each: columns separated by blanks, or all by commas or semicolons, as many
-// in every line. They are those of --columns; or of a first line, or comment, of names; or x y z, x y z radius, or
-// these with vx vy vz.
+// Reads spheres from lines of text, a sphere each. Columns are separated by blanks, or all by commas or semicolons, and
+// every line has the same number. Their meaning comes from --columns, or from names in the first line or a comment;
+// else they are x y z, x y z radius, or these with vx vy vz.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class TextReader {
     if (by_order_ && fields_.size() == 7) look_for_colours();
   }
 
-  // After the last line. Throws for columns that may mean something else.
+  // Call this after the last line. Throws for ambiguous columns.
   const Columns& columns() const {
     if (!columns_)
       throw std::invalid_argument(fmt::format("{} holds no sphere: expected lines of x y z radius", file_.name()));
@@ -82,13 +82,13 @@ class TextReader {
       comments_.push_back({line, std::string(text), std::move(columns)});
   }
 
-  // The last comment that names as many columns; null without one.
+  // The last comment that names this number of columns; null without one.
   const SeenComment* naming_comment() const {
     const auto names_them = [&](const SeenComment& each) { return each.columns.names_columns(fields_.size()); };
     const auto found = std::find_if(comments_.rbegin(), comments_.rend(), names_them);
     return found == comments_.rend() ? nullptr : &*found;
   }
-  // For x=NAME of --columns also names without x, y and z.
+  // The names in the file for x=NAME of --columns, also those without x, y and z.
   Names names_for_option() const {
     if (!header_.empty()) return header_;
     if (const SeenComment* naming = naming_comment()) return naming->columns.names;
@@ -97,7 +97,7 @@ class TextReader {
     return {};
   }
 
-  // By the first line that is no comment; false if it holds the names of the columns.
+  // Chooses the columns by the first line that is not a comment; false if that line has the names of the columns.
   bool choose_columns(uint64_t line, std::string_view text) {
     const bool numbers = std::ranges::any_of(fields_, [&](std::string_view field) { return is_number(field); });
     if (!numbers && header_.empty()) {
@@ -158,7 +158,8 @@ class TextReader {
     reader_.emplace(file_, *columns_, options_.decimal_comma);
   }
 
-  // Points of scanners have x y z intensity r g b. Colours of 0 and 1 alone would all be black.
+  // Notes whether a line's last three numbers may be colours: scanners write x y z intensity r g b. Colours of 0 and 1
+  // only would all be black.
   void look_for_colours() {
     for (const std::string_view field : std::span(fields_).last(3)) {
       const auto whole = whole_number_of(field, 0, 255);

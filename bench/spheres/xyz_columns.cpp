@@ -14,8 +14,8 @@
 namespace spherepair {
 namespace {
 
-// The value of one of the keys, whatever the case of its letters: programs write Lattice and lattice. Throws for a key
-// without a value that ends, and for one that stands twice.
+// Finds one of the keys in upper or lower case: programs write Lattice and lattice. Throws for a key with an unfinished
+// value, and for a repeated key.
 const CommentPair* find_pair(const Comment& comment, std::span<const std::string_view> keys) {
   const CommentPair* found = nullptr;
   for (const CommentPair& pair : comment.pairs) {
@@ -49,7 +49,7 @@ std::vector<std::string> split_at_colons(std::string_view text) {
   return parts;
 }
 
-// Words that may stand between blanks, commas, brackets and quotes: of pbc = "T T F", [T, T, F] or [[T], [T], [F]].
+// The words between blanks, commas, brackets and quotes: T, T and F of pbc = "T T F", [T, T, F] or [[T], [T], [F]].
 std::vector<std::string> words_of(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return std::string_view(",[]{}\"\t").find(c) != std::string_view::npos; }, ' ');
@@ -68,7 +68,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text, size_t co
   return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-// i-PI: # CELL(abcABC): 10 10 10 90 90 90.
+// Whether this is a box of i-PI: # CELL(abcABC): 10 10 10 90 90 90.
 bool is_cell_of_ipi(const CommentPair& pair) { return lower_case(pair.key).starts_with("cell("); }
 
 std::optional<ListBox> box_of(const CommentPair* cell, const std::vector<std::optional<bool>>& axes) {
@@ -93,7 +93,7 @@ std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment, bo
   if (parts.empty() || parts.size() % 3) fail("Properties=name:type:columns, repeated, such as species:S:1:pos:R:3");
   std::vector<NamedColumn> names;
   std::vector<Property> wrong;
-  bool triples[2] = {};  // of positions, of velocities
+  bool triples[2] = {};  // whether positions, velocities are one name of three columns
   for (size_t k = 0; k < parts.size(); k += 3) {
     const auto property = property_of(parts[k], parts[k + 1], parts[k + 2]);
     if (!property) fail("Properties with a name, a type S, R, I or L and a number of columns each");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns of an XYZ file, and what else its comment line says.
+// Reads the columns, the box and other facts from the comment line of an XYZ file.
 #pragma once
 
 #include "bench/io/file_bytes.h"
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// A comment line, and where it stands.
+// A comment line and its place.
 struct Comment {
   const FileBytes& file;
   uint64_t line = 0;
@@ -22,24 +22,23 @@ struct Comment {
 // for known names of another type or number of columns.
 std::optional<std::vector<NamedColumn>> properties_of(const Comment& comment, bool by_names);
 
-// The columns that these are; momenta are noted.
+// The columns of these names; notes whether there are momenta.
 Columns columns_of_properties(const Comment& comment, std::span<const NamedColumn> properties);
 
 // Classic XYZ, `[species] x y z [radius]`, from the fields of the first sphere's line. types: the first number is whole
-// in every line, and the radius is an option's: a type, as LAMMPS writes it.
+// in every line and the radius is an option's, so the number is a type, as LAMMPS writes it.
 Columns classic_columns(const FileBytes& file, uint64_t line, std::string_view text, bool types);
 
-// The periodic box of the comment line, in its words (Lattice="..." pbc="..."); empty where nothing is periodic:
-// without these keys, or where pbc is false along every axis. A Lattice, a cell or a box alone is periodic along all
-// three.
+// The periodic box of the comment line, in its words (Lattice="..." pbc="..."). Empty without these keys, or if pbc is
+// false along every axis. A Lattice, cell or box without pbc is periodic along all three.
 struct PeriodicBox {
   std::string text = {};
-  std::optional<ListBox> box = {};  // of Lattice with nine numbers, the rows of the box one after another
-  std::string mention = {};         // the comment, if it has a word for a box, which is not read
+  std::optional<ListBox> box = {};  // from a Lattice of nine numbers: the rows of the box one after another
+  std::string mention = {};         // the comment, if it mentions a box that is not read
 };
 PeriodicBox periodic_box(const Comment& comment);
 
-// The box of a comment line with Lattice and pbc="F F F": Origin, or 0, and the edges, which lie along the axes.
+// The box of a comment line with Lattice and pbc="F F F": the corner is Origin, or 0, and the edges lie along the axes.
 std::optional<WallBox> closed_box(const Comment& comment);
 
 }  // namespace spherepair

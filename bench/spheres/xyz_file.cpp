@@ -32,7 +32,7 @@ Frame read_frame(const FileBytes& file, FileLines& cursor, bool first) {
   return frame;
 }
 
-// Whether all lines are of four numbers, the first of them whole and positive: LAMMPS writes types in place of names.
+// Whether all lines have four numbers, the first whole and positive: LAMMPS writes types instead of names.
 bool may_have_types(const Frame& frame) {
   std::vector<std::string_view> fields;
   FileLines lines = frame.lines.chunks.front().start;

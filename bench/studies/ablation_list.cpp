@@ -4,7 +4,7 @@
 namespace spherepair {
 namespace {
 
-// A grid step that sorts and builds its cells, as after a move, by the sort that is taken by default.
+// A grid step that sorts and builds its cells, as after a move, by the default sort.
 CollideOptions grid_step() {
   return {.method = Method::collide_grid, .grid = {.keep_order = false, .keep_cells = false}};
 }
@@ -28,7 +28,7 @@ CollideOptions with_api(const CollideOptions& step, std::optional<bool> ApiOptio
   return changed(step, [=](CollideOptions& o) { o.api.*option = on; });
 }
 
-// What every backend skips where a scene does not need it; off: it is always done.
+// Work that every backend skips if a scene does not need it; off: it is always done.
 std::vector<Ablation> optimisations() {
   const CollideOptions step = grid_step(), all_pairs = {.method = Method::collide_triangle};
   const auto keeping = [](bool order, bool cells) {

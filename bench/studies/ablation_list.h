@@ -13,13 +13,13 @@ namespace spherepair {
 enum class Spheres {
   random,         // in random order
   in_cell_order,  // sorted into cell order
-  drifting,       // every step moves them sideways by about a diameter; all have left their first cells
+  drifting,       // move sideways by about a diameter in every step, and have all left their first cells
   falling,        // n spheres of the scene `random`, which fall and bounce by the method anchored
   pushing,        // n spheres of the scene `gas`, which push each other
-  at_all_walls    // the same, each of which is tested against all walls
+  at_all_walls    // the same, each tested against all walls
 };
 
-// What a timed step does.
+// The work of a timed step.
 enum class AblationWork {
   collide,  // a collision step, after a move if the spheres drift
   bounce,   // a move of `anchored`, event-driven or testing every sphere
@@ -28,7 +28,7 @@ enum class AblationWork {
   copy      // copies 16 bytes per sphere, in 16-byte or 4-byte accesses
 };
 
-// What the host reads after every step.
+// Results that the host reads after every step.
 enum class Reads { nothing, totals, counts };
 
 // One optimisation or API feature: the options of a collision step with it and without it.
@@ -40,7 +40,7 @@ struct Ablation {
   Reads reads_off = Reads::nothing;       // read after every step when off
   bool OpenOptions::*open_off = nullptr;  // when off, another backend is opened with this option false
   AblationWork work = AblationWork::collide;
-  std::optional<Spheres> spheres_off = {};  // when off, these
+  std::optional<Spheres> spheres_off = {};  // the spheres when off
 };
 
 inline Spheres spheres_of(const Ablation& a, bool on) { return on ? a.spheres : a.spheres_off.value_or(a.spheres); }

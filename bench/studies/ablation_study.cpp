@@ -15,8 +15,8 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t brute_force_up_to = 100000;           // spheres; with more, the CPU's grid is the reference
-constexpr uint64_t drifting_steps = 64;                  // in which each sphere crosses the scene
-constexpr int moves_checked = 40, pushes_checked = 200;  // as many as take several lists of near pairs
+constexpr uint64_t drifting_steps = 64;                  // in these each sphere crosses the scene
+constexpr int moves_checked = 40, pushes_checked = 200;  // enough for several lists of near pairs
 
 bool only_moves(AblationWork work) { return work != AblationWork::collide && work != AblationWork::copy; }
 
@@ -56,7 +56,7 @@ void AblationStudy::run(const std::vector<uint64_t>& sizes) {
   }
 }
 
-// By backend, then by spheres, so that each scene is uploaded once.
+// All cases, sorted by backend, then by spheres, so that each scene is uploaded once.
 std::vector<AblationStudy::Case> AblationStudy::cases() {
   std::vector<Case> all;
   for (const auto& backend : session_.backends()) {
@@ -108,7 +108,7 @@ void AblationStudy::check(const Case& which) {
            [&] { which.on->check_peak_rate(PeakRate::copy), which.on->check_peak_rate(PeakRate::words); });
 }
 
-// Both must find the reference's set; up to brute_force_up_to spheres the reference uses no grid.
+// Checks that on and off find the reference's set; up to brute_force_up_to spheres the reference uses no grid.
 void AblationStudy::check_sets(const Case& which) {
   const Spheres kind = which.ablation->spheres;
   const StepResult& reference_result = expected(kind);
@@ -123,7 +123,7 @@ void AblationStudy::check_sets(const Case& which) {
   }
 }
 
-// Both must reach the reference's state.
+// Checks that on and off reach the reference's state.
 void AblationStudy::check_moves(const Case& which) {
   const SceneOptions options = options_of(which.ablation->spheres, scene_options_);
   const int moves = which.ablation->spheres == Spheres::pushing ? pushes_checked : moves_checked;
@@ -142,7 +142,8 @@ void AblationStudy::check_moves(const Case& which) {
   });
 }
 
-// Opens a second backend if on and off need one each. A feature that the device lacks is left out with the reason.
+// Runs a case. Opens a second backend if on and off need one each. Leaves out a feature that the device lacks, with the
+// reason.
 void AblationStudy::run(Case which) {
   const Ablation& ablation = *which.ablation;
   const std::string name = fmt::format("{} {} of {}", which.on->info().name, ablation.name, scene_options_.n);
@@ -173,7 +174,7 @@ void AblationStudy::run(Case which) {
   spending(spent.timing, [&] { time(which); });
 }
 
-// What moves begins each batch where the checked steps began; cells that drifting spheres leave are planned anew.
+// Spheres that move begin each batch where the checked steps began; cells that drifting spheres leave are planned anew.
 Contender AblationStudy::contender_for(const Case& which, const std::string& label, bool on) {
   const Ablation& ablation = *which.ablation;
   Contender contender{.label = label,

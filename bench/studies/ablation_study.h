@@ -28,7 +28,7 @@ class AblationStudy {
 
   void run(const std::vector<uint64_t>& sizes);
 
-  std::map<uint64_t, std::vector<std::vector<std::string>>> rows;  // of the table of each number of spheres
+  std::map<uint64_t, std::vector<std::vector<std::string>>> rows;  // of the table for each number of spheres
   json measurements = json::array();
   std::vector<std::string> left_out;
   AblationSeconds spent;
@@ -59,8 +59,8 @@ class AblationStudy {
   Sampling sampling_;
   Progress progress_;
   SceneOptions scene_options_;
-  std::map<Spheres, Scene> scenes_;            // of this size, made on first use
-  std::map<Spheres, StepResult> expected_;     // of the reference
+  std::map<Spheres, Scene> scenes_;            // of the current size, made on first use
+  std::map<Spheres, StepResult> expected_;     // the reference's results
   std::map<const Backend*, Spheres> holding_;  // the unmoved spheres that each backend holds
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a timed step of spherepair ablate does, and counts of its work.
+// Does the timed steps of spherepair ablate, and counts their work.
 #pragma once
 
 #include "bench/io/report.h"
@@ -13,9 +13,9 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on);
 SceneOptions options_of(Spheres kind, const SceneOptions& uniform);
 Scene scene_of(Spheres kind, const SceneOptions& uniform);
 
-bool moves(Spheres kind);  // with every timed step
+bool moves(Spheres kind);  // whether they move in every timed step
 
-// Uploads the scene and moves it to where the timing begins: drifting spheres until all have left their cells, falling
+// Uploads the scene and moves it to the start of the timing: drifting spheres until all have left their cells, falling
 // ones for a second, so that some bounce in every step.
 void start(Backend& backend, Spheres kind, const Scene& scene);
 

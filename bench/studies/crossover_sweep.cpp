@@ -34,7 +34,7 @@ SceneOptions scene_of(const SphereKind& kind, uint64_t n) {
   return scene;
 }
 
-// Every step sorts, as after a move.
+// Options of a step that sorts, as after a move.
 CollideOptions step(Method method, Cells cells = Cells::automatic, uint block = CollideOptions{}.block) {
   return {.method = method, .block = block, .grid = {.cells = cells, .keep_order = false, .keep_cells = false}};
 }
@@ -171,7 +171,7 @@ void CrossoverSweep::compare(Timing& timing, const std::vector<Way>& ways, const
     else if (!ways[k].grid)
       keep_faster(of_others, samples[k]);
   }
-  const auto faster = [](const Samples* left, const Samples* right) {  // what was stopped was far behind
+  const auto faster = [](const Samples* left, const Samples* right) {  // a stopped way was far behind
     if (!left || !right) return left != nullptr;
     const Contest found = contest(*left, *right);
     return found.finding == Finding::differ && found.ratio < 1;

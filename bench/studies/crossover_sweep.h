@@ -42,13 +42,13 @@ struct Way {
 struct Timing {
   std::string backend, kind;
   uint64_t n;
-  std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; without those that were stopped
+  std::map<std::string, double> all_pairs = {}, grid = {};  // seconds by way; without stopped ways
   double automatic = 0;                                     // seconds
   std::set<std::string> unsteady = {};                      // ways, auto among them, whose times decide nothing
-  std::string chosen = {}, best = {};  // what auto chose; the fastest of the others, empty if there is none
-  Contest over_best = {};              // auto against that
-  // By an interval that decides it: the best way of the grid is faster than the best of all pairs, and collide_triangle
-  // than every other way of all pairs.
+  std::string chosen = {}, best = {};  // auto's choice; the fastest other way, empty if there is none
+  Contest over_best = {};              // auto against `best`
+  // Whether, by a decisive interval, the best way of the grid is faster than the best of all pairs, and
+  // collide_triangle faster than every other way of all pairs.
   bool grid_faster = false, triangle_fastest = false;
 };
 json to_json(const Timing& timing);
@@ -62,12 +62,12 @@ class CrossoverSweep {
   // Calls `write` after every scene, so that an interrupted run keeps its measurements.
   CrossoverSweep(Session& session, const CrossoverOptions& options, std::function<void()> write);
 
-  // Scenes of increasing size for each kind, until auto is too slow.
+  // Times scenes of increasing size for each kind, until auto is too slow.
   void run(std::span<const SphereKind> kinds, const std::vector<uint64_t>& sizes);
 
   std::vector<Timing> timings;
   json measurements = json::array();
-  std::vector<std::string> stopped;  // ways that were not timed with more spheres, and why
+  std::vector<std::string> stopped;  // ways that were not timed with more spheres, with the reason
 
  private:
   void measure_scene(const SphereKind& kind, const SceneOptions& options);
@@ -82,7 +82,7 @@ class CrossoverSweep {
   std::function<void()> write_;
   Sampling sampling_;
   Progress progress_;
-  std::set<std::string> slow_;  // "backend way" that were stopped, of the current kind
+  std::set<std::string> slow_;  // stopped ways of the current kind, as "backend way"
 };
 
 }  // namespace spherepair

@@ -18,11 +18,11 @@ struct FramesOptions {
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop", "view"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
-  bool transfer = false;  // also time OpenGL drawing of CUDA's spheres
-  bool window = false;    // draw in the context of a window, and what `view` does with each image
+  bool transfer = false;  // also times OpenGL drawing of CUDA's spheres
+  bool window = false;    // draws in the context of a window, and handles each image as `view` does
   int rounds = 11;
   double min_seconds = 0;              // of the longest batch; 0: as study_sampling()
-  std::vector<std::string> most = {};  // METHOD:n, most spheres that a drawing method is timed with
+  std::vector<std::string> most = {};  // METHOD:n, the most spheres with which a drawing method is timed
   std::string results = {};            // folder; empty: a new one
 };
 

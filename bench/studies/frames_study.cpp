@@ -138,7 +138,7 @@ void FramesStudy::measure_place(uint64_t n, const std::vector<Backend*>& backend
     }
 }
 
-// The same work on several backends, whose entries are the last of `frames`.
+// Times the same work on several backends, whose entries are the last of `frames`.
 void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene& scene,
                                 const std::vector<View>& views) {
   const bool moves = tasks.front().work == "loop" || tasks.front().work == "view";

@@ -15,7 +15,7 @@ using Row = std::vector<std::string>;
 
 bool is_transfer(const json& entry) { return entry.contains("transferred"); }
 
-// The time where `keys` say, in the column of this name; appends the row and the column if they are not there yet.
+// Puts a time into the row of `keys` and the column of this name; appends a missing row or column.
 void put(Table& table, const Row& keys, const Column& column, const json& entry) {
   auto at = std::ranges::find(table.columns, column.name, &Column::name);
   if (at == table.columns.end()) {
@@ -44,7 +44,7 @@ Table images_table(const json& frames, uint64_t n, const FramesOptions& options)
   return table;
 }
 
-// A transfer alone (draw: none), with its image, and in a loop that overlaps it with the next step.
+// Times of a transfer alone (draw: none), with its image, and in a loop that overlaps it with the next step.
 Table transfers_table(const json& frames, uint64_t n) {
   Table table{
       "The same of CUDA's spheres through OpenGL, by how they come there",

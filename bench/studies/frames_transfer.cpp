@@ -6,7 +6,7 @@
 namespace spherepair {
 namespace {
 
-// 1: the shorter of the two is hidden completely; 0: no overlap. Noise may push it outside [0, 1].
+// The share of the shorter time that is hidden: 1: completely; 0: no overlap. Noise may push it outside [0, 1].
 json overlap_of(double frame, double step, double pipelined) {
   return {{"frame_ms", frame * 1e3},
           {"step_ms", step * 1e3},

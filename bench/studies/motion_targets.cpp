@@ -10,7 +10,7 @@
 namespace spherepair {
 namespace {
 
-// None where it is unsteady.
+// The time of this method; null if it is unsteady.
 const TimeEntry* time_of(const std::vector<TimeEntry>& times, const std::string& backend, MotionMethod method, int k) {
   const auto found = std::ranges::find_if(times, [&](const TimeEntry& entry) {
     return entry.backend == backend && entry.motion == MotionOptions{method, Precision::float32} && entry.k == k &&
@@ -26,7 +26,7 @@ const ErrorEntry* error_of(const std::vector<ErrorEntry>& errors, MotionMethod m
   return found == errors.end() ? nullptr : &*found;
 }
 
-// At the first time step: the memory traffic of `paper` does not depend on it.
+// Uses the first time step: the memory traffic of `paper` does not depend on it.
 void add_bandwidth(std::vector<Target>& targets, const std::vector<TimeEntry>& times, const CopyEntry& copy) {
   if (times.empty()) return;
   const TimeEntry* paper = time_of(times, copy.backend, MotionMethod::paper, times.front().k);

@@ -65,7 +65,7 @@ MotionSetEntry run_on_all(Session& session, const SetPlan& plan, const Scene& sc
   return entry;
 }
 
-// With the exact predicate, then with the naive one.
+// Times a step with the exact predicate, then with the naive one.
 std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Configuration configuration,
                                        Progress& progress) {
   std::vector<Contender> contenders;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many pairs are wrong, and why: the measurements of `spherepair sets`.
+// The measurements of `spherepair sets`: numbers of wrong pairs by cause.
 //
 // sets.json, "format": "spherepair sets 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
@@ -36,7 +36,7 @@ struct SetPlan {
   double seconds = 10;  // T
   uint64_t n = 16384, naive_n = 16384, passing = 8192;
   uint64_t seed = SceneOptions{}.seed;
-  uint64_t most_software_steps = 1300;  // of software OpenGL; longer runs are left to the others
+  uint64_t most_software_steps = 1300;  // of a run in software OpenGL, which leaves out longer ones
   Sampling sampling = {};
 };
 
@@ -70,7 +70,7 @@ struct ContactEntry {
 // The scene `random` with horizontal velocities of up to 1 m/s, centres moved by `offset` along x and z.
 Scene drifting_scene(const SetPlan& plan, MotionOptions motion, int k, float offset);
 
-// Every backend runs all of it, except software OpenGL. Throws DifferenceFound when two results differ.
+// Every backend makes all runs, except software OpenGL. Throws DifferenceFound if two results differ.
 std::vector<MotionSetEntry> measure_motion_sets(Session& session, const SetPlan& plan, Progress& progress);
 std::vector<StorageEntry> measure_storage(const SetPlan& plan, Progress& progress);
 std::vector<NaiveEntry> measure_naive(Session& session, const SetPlan& plan, Progress& progress);

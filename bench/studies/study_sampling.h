@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the studies sample.
+// The studies' sampling.
 #pragma once
 
 #include "bench/measure/batches.h"

@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-// Nothing is kept from the previous step, so that every step does all the work.
+// Options with which every step does all the work and keeps nothing from the previous step.
 Configuration configuration_for(Backend& backend, Method method, const SweepPoint& point) {
   const CollideOptions automatic = {.method = Method::automatic};
   const uint block = point.block ? point.block : chosen_block(backend.info(), point.n, method, automatic);
@@ -60,7 +60,7 @@ std::vector<Configuration> prepare(Session& session, const SweepPoint& point, co
   return all;
 }
 
-// The first configuration that finds this set: one of the CPU if it is among the backends.
+// The first configuration that finds this set: the CPU's if the CPU is among the backends.
 const Configuration& reference_of(const std::vector<Configuration>& all, const Configuration& configuration) {
   return *std::ranges::find_if(
       all, [&](const Configuration& one) { return set_name(one.options) == set_name(configuration.options); });

@@ -14,13 +14,13 @@ struct SweepPoint {
   bool in_cell_order = false;  // "warm"; otherwise "cold": random order, so that each step sorts
   uint64_t seed = SceneOptions{}.seed;
   std::vector<Method> methods;
-  uint block = 0;  // 0: as Method::automatic chooses it
+  uint block = 0;  // 0: the choice of Method::automatic
 };
 SceneOptions scene_of(const SweepPoint& point);
 std::string label(const SweepPoint& point);  // packing fraction 0.3, n = 1000, cold
 
-// The most spheres that this backend and method are timed with, so that a step takes at most about a quarter of a
-// second on a GPU and on many cores.
+// The most spheres with which this backend and method are timed: a step takes at most about 0.25 s on a GPU and on many
+// cores.
 uint64_t most_spheres(const Backend& backend, Method method);
 
 struct PointTimes {

@@ -85,9 +85,9 @@ json motion_json(MotionOptions motion, int k) {
 
 }  // namespace
 
-// The count, which is cleared; then position and velocity, read and written, or the wide state with the float32
-// position and velocity written; for `anchored` anchor, velocity, flight, anchor step and next event, read, and the
-// position, written.
+// Counts the cleared count; then position and velocity, read and written, or the wide state with the float32 position
+// and velocity written; for `anchored` anchor, velocity, flight, anchor step and next event, read, and the position,
+// written.
 std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry) {
   const uint64_t wide = entry.motion.precision == Precision::float32 ? 0 : 1;
   if (entry.motion.method != MotionMethod::anchored) return 4 + (wide ? 2 * 48 + 32 : 64);

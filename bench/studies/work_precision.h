@@ -31,7 +31,7 @@ struct PrecisionPlan {
   double seconds = 10;                       // T
   uint64_t error_n = 100, time_n = 1 << 22;
   uint64_t seed = SceneOptions{}.seed;
-  uint64_t most_software_steps = 3000;  // of an error run of software OpenGL; longer ones are left out
+  uint64_t most_software_steps = 3000;  // of an error run in software OpenGL, which leaves out longer ones
   Sampling sampling;
 };
 
@@ -62,13 +62,13 @@ struct CopyEntry {
 // Minimum memory traffic per sphere of the kernels of one step; none if it depends on the bounces.
 std::optional<uint64_t> bytes_per_sphere_step(const TimeEntry& entry);
 
-// On every backend; throws DifferenceFound if the final states differ in any bit.
+// Measures on every backend. Throws DifferenceFound if the final states differ in any bit.
 std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& plan, Progress& progress);
-// Backends in interleaved rounds, on spheres that have bounced for some time. Compares the states after some steps
-// before timing; throws DifferenceFound.
+// Times backends in interleaved rounds, on spheres that have bounced for some time. First compares the states after
+// some steps; throws DifferenceFound.
 std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan, Progress& progress);
 
-// On every device, at the size of the timings.
+// Measures on every device, at the size of the timings.
 std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& plan, Progress& progress);
 
 json to_json(const ErrorEntry& entry);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which API is faster where: the comparisons of all tables, in one sentence.
+// Sums up in one sentence which API is faster where, from the comparisons of all tables.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ApiContest {
   Contest contest;  // a device's time against the baseline's
 };
 
-// Or why it cannot be said: no GPU, an API that is missing, nothing timed in both.
+// The sentence, or the reason why there is none: no GPU, a missing API, nothing timed in both.
 std::string api_verdict(const Session& session, const std::vector<ApiContest>& all);
 
 }  // namespace spherepair

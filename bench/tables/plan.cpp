@@ -32,7 +32,7 @@ std::vector<SceneOptions> all_scenes(uint64_t seed, bool contacts) {
   return scenes;
 }
 
-// A machine with a GPU also checks the sizes of one without, so that `equal` can compare their results.
+// A machine with a GPU also checks the sizes of a machine without one, so that `equal` can compare their results.
 void fill_sizes(Plan& plan) {
   const std::vector<uint> all(block_sizes().begin(), block_sizes().end());
   plan.paper_sizes = plan.step_sizes = {64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768};

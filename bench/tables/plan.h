@@ -30,7 +30,7 @@ struct Plan {
   std::vector<uint> blocks;
   uint table_block = CollideOptions{}.block;  // group size of tables with one column per method
   std::vector<CheckSize> checks;
-  ContactChoice contact;  // of the checks
+  ContactChoice contact;  // contacts of the checks
   std::vector<uint64_t> paper_sizes, count_sizes, method_sizes, exactness_sizes, scale_sizes, step_sizes, grid_sizes;
   uint64_t count_steps = 1000, count_steps_large = 100;  // large: 32,768 spheres
   uint64_t grazing_pairs = 10000;

@@ -19,7 +19,7 @@ uint64_t working_set(const Task& task, const Scene& scene) {
   return task.work == Work::move || search == 0 ? motion : motion + search - scene.size() * shared_set_bytes;
 }
 
-// What moves begins each batch at the scene's start, with a complete search, as the steps behind it need one.
+// Spheres that move begin each batch at the scene's start, after a complete search, which the later steps need.
 Contender contender_for(const Task& task, const Scene& scene) {
   const CollideOptions options = task.configuration.options;
   const bool moves = task.work != Work::collide, collides = task.work != Work::move;
@@ -41,7 +41,8 @@ Contender contender_for(const Task& task, const Scene& scene) {
   return contender;
 }
 
-// The naive predicate may be wrong by design, so the same configuration with the exact one is checked.
+// The configurations to check. The naive predicate may be wrong by design, so the same configuration is checked with
+// the exact one.
 std::vector<Configuration> to_check(const std::vector<Task>& tasks) {
   std::vector<Configuration> configurations;
   for (const Task& task : tasks) {
@@ -84,7 +85,7 @@ void Study::upload(const SceneOptions& options) {
   for (const auto& backend : session.backends()) backend->upload(scene);
 }
 
-// Every configuration except the references, and the states of every backend except the reference.
+// Plans to compare every configuration except the references, and the states of every backend except the reference.
 void Study::plan_comparisons(const SceneOptions& scene, const std::vector<Configuration>& configurations,
                              uint64_t steps) {
   for (const auto& backend : session.backends())
@@ -117,7 +118,7 @@ void Study::check_step(const SceneOptions& scene, const std::vector<Configuratio
   }
 }
 
-// At the start, and after each of the following steps.
+// Checks at the start and after each step.
 void Study::check_steps(const SceneOptions& scene, const std::vector<Configuration>& configurations, uint64_t steps) {
   plan_comparisons(scene, configurations, steps);
   upload(scene);

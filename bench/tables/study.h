@@ -26,7 +26,7 @@ class Study {
   // times all tasks in interleaved rounds. Returns samples in the order of the tasks and keeps them for the record.
   std::vector<Samples> time(const std::string& table, const SceneOptions& scene, const std::vector<Task>& tasks);
 
-  // The cells of add_contest_columns; the contests are kept for the last lines of the run.
+  // The cells of add_contest_columns. Keeps the contests for the last lines of the run.
   std::vector<std::string> compare(const std::string& table, std::span<const Samples> samples);
 
   // Times and records contenders that have no result to check.
@@ -56,11 +56,11 @@ class Study {
   std::map<std::string, std::string> references_;  // by set: label of the last check's reference
 };
 
-// Iterates over a table's sizes and leaves out those that would take too long without a GPU.
+// Iterates over a table's sizes. Without a GPU leaves out sizes that would take too long.
 class SizeSequence {
  public:
   SizeSequence(const Study& study, std::vector<uint64_t> sizes) : study_(study), sizes_(std::move(sizes)) {}
-  bool next();  // false at the end, and where the next size and so all larger ones would take too long
+  bool next();  // false at the end, or if the next size would take too long
   uint64_t n() const { return sizes_[at_ - 1]; }
   void measured(std::span<const Samples> samples) { last_.assign(samples.begin(), samples.end()), last_n_ = n(); }
   std::vector<std::string> notes() const { return notes_; }  // the sizes that were left out

@@ -12,7 +12,7 @@ struct Arrangement {
 };
 constexpr Arrangement arrangements[] = {{8, 16}, {16, 8}, {8, 32}, {16, 16}, {32, 8}, {8, 64}, {16, 32}, {64, 8}};
 
-// In groups of n, and in one group of all m x n, on every device.
+// Tasks with groups of n, and with one group of all m x n, on every device.
 std::vector<Task> tasks_of(const Study& study, const Arrangement& arrangement) {
   std::vector<Task> tasks;
   for (const uint block : {arrangement.group_size, arrangement.groups * arrangement.group_size})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was compared and found equal: methods with their group sizes and backends.
+// The table of results that were compared and found equal: methods with their group sizes and backends.
 #include <fmt/format.h>
 
 #include <algorithm>

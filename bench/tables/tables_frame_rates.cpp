@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint width = 1280, height = 720;  // the paper does not say its own
+constexpr uint width = 1280, height = 720;  // the paper does not give its size
 
 // A version of the paper's program. Each draws by the first of its methods.
 struct Version {
@@ -33,8 +33,8 @@ std::vector<Version> versions_of(const Study& study, Backend& one_thread) {
   return versions;
 }
 
-// Fewer of more spheres, and fewer where software draws them; the same for every version, and each sample has the same
-// ones, since falling spheres become denser.
+// Frames of a sample: fewer with more spheres, and fewer in software. Every version and every sample has the same
+// frames, since falling spheres become denser.
 uint64_t frames_per_sample(uint64_t n, bool hardware) {
   return std::clamp<uint64_t>((hardware ? 65536 : 8192) / n, 2, 64);
 }
@@ -48,7 +48,7 @@ void draw(Backend& backend, DrawMethod method, const View& view) {
   backend.enqueue_draw(view, {.method = method, .reuse_unchanged = false});
 }
 
-// The mesh is the same on every backend, in one draw or many.
+// Checks that every backend draws the same mesh, in one draw or many.
 void require_equal_images(const std::vector<Version>& versions, const Scene& scene, const View& view) {
   std::vector<uint> expected;
   for (const Version& version : versions) {

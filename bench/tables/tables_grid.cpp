@@ -19,7 +19,7 @@ const json* entry_of(const json& measurements, const std::string& backend, bool 
   return nullptr;
 }
 
-// The times of the grid or of all pairs, and of all pairs also over the grid's.
+// The times of the grid or of all pairs; for all pairs also the ratio to the grid's.
 std::vector<std::string> row_of(const Study& study, const SweepPoint& point, const json& measurements, bool grid) {
   std::vector<std::string> row = {std::to_string(point.n), point.in_cell_order ? "warm" : "cold",
                                   grid ? "grid" : "all pairs"};

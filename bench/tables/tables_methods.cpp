@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GLSL and CUDA per method and group size, the cost of a dispatch or launch, the cost of exactness.
+// Times of GLSL and CUDA by method and group size, the cost of a dispatch or launch, the cost of exactness.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ struct NaiveErrors {
   uint64_t right = 0, missed = 0, extra = 0;
 };
 
-// Pairs that the naive float32 test gets wrong in the hardest scene. The exact result is checked against the reference
-// first.
+// Counts the pairs that the naive float32 test gets wrong in the hardest scene. First checks the exact result against
+// the reference.
 NaiveErrors naive_errors(Study& study, Configuration configuration, const SceneOptions& scene) {
   study.progress.say(fmt::format("exactness: {} on {}", label(configuration), scene.name));
   const Configuration reference = reference_for(study.session, configuration.options, scene.n);

@@ -16,7 +16,7 @@ namespace {
 struct Table1Row {
   uint64_t n;
   std::vector<Samples> moves;
-  std::vector<std::optional<Samples>> pairs;  // by task; none if it would have taken too long
+  std::vector<std::optional<Samples>> pairs;  // by task; none if the task would have taken too long
 };
 
 bool complete(const Table1Row& row) {
@@ -56,7 +56,7 @@ std::vector<Task> leave_out_slow(const Study& study, const std::vector<Task>& ta
   return affordable;
 }
 
-// The time of each backend, none where it was left out.
+// The time of each backend; none if it was left out.
 using Found = std::map<std::string, std::optional<Samples>>;
 
 std::vector<std::string> cells_of(const Study& study, uint64_t n, const std::string& part, const std::string& paper,

@@ -20,7 +20,7 @@ bool is_word_of_option(std::string_view word) {
   return std::ranges::count(quantity_names, word) || std::ranges::count(other_columns, word);
 }
 
-// Adds the unit of a column to those of lengths or velocities, which must be one.
+// Notes the unit of a column of lengths or velocities; all such columns must have the same unit.
 void add_unit(const std::string& where, std::string& units, const NamedColumn& column, const std::string& unit) {
   if (!units.empty() && !unit.empty() && units != unit)
     throw std::invalid_argument(fmt::format("{}: the columns are in several units, {} and {}: {}; write all in one",
@@ -28,7 +28,7 @@ void add_unit(const std::string& where, std::string& units, const NamedColumn& c
   if (units.empty()) units = unit;
 }
 
-// The one column of the file that has this name; of names that differ only in case and unit, the one that is equal.
+// The column of the file with this name. If several names differ only in case and unit, takes the equal one.
 size_t find_column(std::string_view wanted, std::span<const NamedColumn> names, const std::string& file) {
   const auto fail = [&](std::string_view what) {
     throw std::invalid_argument(

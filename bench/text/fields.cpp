@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-// Where a field from `start` on ends: at one of `separators` outside double quotes.
+// The end of a field from `start` on: at one of `separators` outside double quotes.
 size_t end_of_field(std::string_view text, size_t start, std::string_view separators) {
   if (start < text.size() && text[start] == '"') start = std::min(text.find('"', start + 1), text.size());
   return std::min(text.find_first_of(separators, start), text.size());
@@ -23,7 +23,7 @@ size_t skipped_blanks(std::string_view text, size_t start, std::string_view skip
   return std::min(text.find_first_not_of(skipped, start), text.size());
 }
 
-// The first of these characters outside double quotes.
+// The index of the first of these characters outside double quotes.
 size_t find_unquoted(std::string_view text, std::string_view wanted) {
   bool quoted = false;
   for (size_t k = 0; k < text.size(); ++k) {

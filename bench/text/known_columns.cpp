@@ -32,7 +32,7 @@ constexpr KnownName known_names[] = {{"x", QUANTITY_X},
                                      {"diameter", QUANTITY_RADIUS},
                                      {"diameters", QUANTITY_RADIUS}};
 
-// Not digits alone, as in x[0], nor words, as in x (first axis).
+// Whether a text in brackets is a unit: not only digits, as in x[0], nor words, as in x (first axis).
 bool is_unit(std::string_view text) {
   const auto all = [&](auto wanted) { return std::ranges::all_of(text, wanted); };
   const bool words = text.find(' ') != text.npos &&
@@ -40,7 +40,7 @@ bool is_unit(std::string_view text) {
   return !words && !all([](char c) { return c == ' ' || (c >= '0' && c <= '9'); });
 }
 
-// `X [mm]`, `x(mm)`: X and mm.
+// Splits `X [mm]` or `x(mm)` into name and unit.
 PlainName split_name(std::string_view text) {
   text = trimmed(text);
   const size_t open = text.find_first_of("[(");
@@ -50,7 +50,7 @@ PlainName split_name(std::string_view text) {
   return {std::string(trimmed(text.substr(0, open))), std::string(is_unit(unit) ? unit : "")};
 }
 
-// Three components before one; of such names the first that is known; then the one in lower case.
+// Prefers three components to one, then the earlier known name, then lower case.
 bool is_better(const Candidate& one, const Candidate& other) {
   if (one.known->count != other.known->count)
     return one.known->count > 1 && other.known->first >= one.known->first &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns among the names of a file that are known.
+// Finds the known names among the columns of a file.
 #pragma once
 
 #include <span>
@@ -14,22 +14,22 @@ namespace spherepair {
 struct PlainName {
   std::string name, unit;
 };
-PlainName plain_name(std::string_view text);  // `X [mm]`, `x(mm)`: x and mm
+PlainName plain_name(std::string_view text);  // x and mm from `X [mm]` or `x(mm)`
 
-// A column whose name is known, and where it stands.
+// A column with a known name, and its place.
 struct Candidate {
   const NamedColumn& column;
   const KnownName* known = nullptr;
   size_t at = 0;
-  bool same_case = false;  // as the known name
+  bool same_case = false;  // the same case as the known name
   bool diameters = false;
 };
 
-// Of several for a quantity those whose names are better: pos than Z, z than Z.
+// The known columns. If several fit a quantity, those with better names: pos rather than Z, z rather than Z.
 std::vector<Candidate> candidates_of(std::span<const NamedColumn> names);
 
-// What to do where names do not tell: --columns by order, with the first column of each quantity. Empty if x, y or z is
-// not there.
+// The advice if names are ambiguous: --columns by order, with the first column of each quantity. Empty if x, y or z is
+// missing.
 std::string advice(const Columns& columns, std::span<const Candidate> candidates);
 
 // Whether velocities are in the unit of lengths per time: m and m/s, m s^-1 or ms-1.

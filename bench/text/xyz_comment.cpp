@@ -49,7 +49,7 @@ class CommentParser {
       pair.complete = false;
   }
 
-  // False where no string begins.
+  // Reads a string; false if none begins here.
   bool take_string(std::string& value, bool& complete) {
     if (here() == '"') {
       complete = take_quoted(value) && complete;
@@ -80,7 +80,8 @@ class CommentParser {
     return false;
   }
 
-  // Not of the grammar, but of programs; an apostrophe without another is part of a word.
+  // Reads a string in single quotes, which programs write although the grammar has none. An apostrophe without another
+  // is part of a word.
   bool take_single_quoted(std::string& value) {
     const size_t end = text_.find('\'', at_ + 1);
     if (end == text_.npos) return false;
@@ -89,7 +90,7 @@ class CommentParser {
     return true;
   }
 
-  // An array, of arrays perhaps, or of strings in quotes: up to the bracket that closes it.
+  // Reads an array, which may hold arrays or strings in quotes, up to its closing bracket.
   void take_brackets(std::string& value, bool& complete) {
     const size_t start = at_ + 1;
     const char open = here(), close = open == '[' ? ']' : '}';

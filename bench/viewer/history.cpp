@@ -17,7 +17,7 @@ uint64_t bytes_of(const std::vector<T>& values) {
 
 }  // namespace
 
-// Reading a state back takes as long as many steps, so states of many spheres are kept less often.
+// Keeps states of many spheres less often, since reading a state back takes as long as many steps.
 History::History(const Start& start, uint64_t most_bytes)
     : start_(start),
       most_bytes_(most_bytes),
@@ -29,7 +29,7 @@ uint64_t History::Kept::bytes() const {
          bytes_of(motion.flights) + bytes_of(motion.since) + bytes_of(motion.next_event);
 }
 
-// When there are too many, every other one goes.
+// Drops every other state when there are too many.
 void History::record(Backend& backend, uint64_t step) {
   if (step <= last_) return;
   last_ = step;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of a run that can be gone back to: states kept now and then, from which the steps between are made again,
-// to the same bits.
+// Goes back to earlier steps of a run. Keeps a state now and then, and makes the steps between again, to the same bits.
 #pragma once
 
 #include <map>
@@ -12,10 +11,10 @@ namespace spherepair {
 
 class History {
  public:
-  // most_bytes: of host memory for states; where it holds few of them, going back takes more steps.
+  // most_bytes: host memory for states; with room for few of them, going back takes more steps.
   explicit History(const Start& start, uint64_t most_bytes = uint64_t(1) << 30);
 
-  void record(Backend& backend, uint64_t step);  // that it has just reached
+  void record(Backend& backend, uint64_t step);  // `step` is the one that the backend has just reached
   void go_to(Backend& backend, uint64_t step);   // from the first step of the run to the last that was reached
   uint64_t first() const { return start_.step; }
   uint64_t last() const { return last_; }

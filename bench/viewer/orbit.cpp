@@ -14,7 +14,7 @@ void Orbit::turn(std::array<double, 2> pixels) {
 void Orbit::pan(std::array<double, 2> pixels, const View& seen) {
   const Camera now = camera(double(seen.width) / seen.height);
   const double metres = std::hypot(now.eye[0] - now.target[0], now.eye[1] - now.target[1], now.eye[2] - now.target[2]) /
-                        double(seen.focal);  // a pixel
+                        double(seen.focal);  // metres a pixel
   const vec4 &right = seen.right, &up = seen.up;
   panned_[0] += metres * (pixels[1] * up.x - pixels[0] * right.x);
   panned_[1] += metres * (pixels[1] * up.y - pixels[0] * right.y);

@@ -34,7 +34,8 @@ uint64_t Pace::due(double now) {
   return by_clock_ ? uint64_t(std::min(owed_, 0x1p53)) : 1;
 }
 
-// Measured over half a second, so that the number is readable; the first frame's steps are not those of the time since.
+// Measures the speed over half a second, so that the number is readable. The first frame's steps belong to the time
+// before.
 void Pace::took(uint64_t steps) {
   if (!last_) return;  // a single step in a pause
   const double seconds = *last_ - *since_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many steps a frame takes, so that a run that is watched keeps up with the clock.
+// Chooses the number of steps in a frame, so that a watched run keeps up with the clock.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +20,19 @@ class Pace {
   void toggle_clock();        // by the clock, or one step a frame
   void scale(double factor);  // the speed, within its limits, by the clock
 
-  // The steps of a frame that begins at `now`, seconds. Steps that took() does not report are given up: a run that
+  // The steps of a frame that begins at `now`, seconds. Steps that took() does not report are dropped: a run that
   // cannot keep up falls behind the clock.
   uint64_t due(double now);
-  void took(uint64_t steps);  // of the frame of the last due()
+  void took(uint64_t steps);  // steps taken in the frame of the last due()
   void hold();                // no time passes until the next frame
-  std::string text() const;   // the speed, and that reached if it is another
+  std::string text() const;   // the speed, and the reached speed if it differs
 
  private:
   double dt_, speed_;
   bool by_clock_;
   double owed_ = 0;                     // steps
-  std::optional<double> last_, since_;  // of the last frame; since when the speed is measured
-  uint64_t steps_ = 0;                  // since then
+  std::optional<double> last_, since_;  // the last frame; the start of the measurement of speed
+  uint64_t steps_ = 0;                  // since since_
   std::optional<double> reached_;
 };
 

@@ -22,8 +22,8 @@ void Viewer::Choice::pick(const std::string& name) {
   chosen = found == names.end() ? 0 : size_t(found - names.begin());
 }
 
-// Exponential moving average over about ten timed frames, so that the number is readable. The others need not wait
-// after each stage.
+// Exponential moving average over about ten timed frames, so that the number is readable. Frames that are not timed
+// need not wait after each stage.
 template <typename Work>
 void Viewer::timed(double& seconds, Work work) {
   if (frames_ % 16 != 0 && seconds != 0) return work();
@@ -93,7 +93,7 @@ void Viewer::change_backend(size_t next) {
   list_choices();
 }
 
-// Of the spheres as they stand: the limits then stay as they are, so that colours can be compared from step to step.
+// Chooses colours from the current spheres. The limits then stay, so that colours can be compared from step to step.
 void Viewer::choose_colours() {
   coloured_by_ = colours_.chosen;
   palette_ = contact_look();
@@ -110,7 +110,7 @@ void Viewer::choose_colours() {
   palette_ = range_look(uint(coloured_by_), std::min(lowest, highest), highest);
 }
 
-// A step that takes longer than its share of a frame ends the frame's steps. Devices then have to say how far they are.
+// Takes the frame's steps, but stops after their share of a frame. To measure it, waits for the device.
 void Viewer::move_steps(const Window& window, uint64_t due) {
   constexpr double share = 1.0 / 30;  // seconds
   const double begin = window.seconds();
@@ -149,7 +149,7 @@ void Viewer::collide() {
   search_ = wanted;
 }
 
-// Whether the image could go to the window on the GPU; where it cannot, it is uploaded.
+// Shows the image without the host, if it can stay on the GPU; else returns false, and the image is uploaded.
 bool Viewer::shown_without_host(uint texture) {
   if (!options_.shared) return false;
   try {
@@ -165,7 +165,7 @@ bool Viewer::Shown::operator==(const Shown& other) const {
          draw == other.draw && box == other.box;
 }
 
-// As `render` draws it.
+// The image as `render` draws it.
 ImageOptions Viewer::still_image(const Window& window) const {
   const auto [width, height] = window.size();
   ImageOptions image{orbit_.camera(double(width) / height), palette_, width, height, still_samples,
@@ -177,7 +177,7 @@ ImageOptions Viewer::still_image(const Window& window) const {
   return image;
 }
 
-// An image that stands still gets its samples one a frame, which are read back, and is shown again with the last one.
+// Takes and reads back one sample a frame of an image that stands still, and shows their mean after the last one.
 void Viewer::refine(Window& window, const ImageOptions& image) {
   if (samples_.count() == still_samples) return;
   samples_.add(draw_sample(backend(), image, samples_.count()).pixels);
@@ -202,7 +202,7 @@ void Viewer::draw(Window& window) {
   });
 }
 
-// Over an image that does not have it: what spheres may hide is paler, since their depths are not read back.
+// Draws the box over an image without it. Edges that spheres may hide are paler, since depths are not read back.
 void Viewer::draw_box(Window& window) const {
   if (!box_ || samples_.count() == still_samples) return;
   for (const EdgeLine& edge : edge_lines(shown_->view, bounds_))

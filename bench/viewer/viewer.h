@@ -17,7 +17,7 @@
 
 namespace spherepair {
 
-constexpr uint still_samples = 16;  // of an image that stands still
+constexpr uint still_samples = 16;  // samples of an image that stands still
 
 class Viewer {
  public:
@@ -32,7 +32,7 @@ class Viewer {
   // One frame: user input, steps unless paused, and the image; false if the user closes the window. key: an additional
   // key press; 0: none.
   bool frame(Window& window, char key);
-  bool hurries() const { return !paused_ && !pace_.by_clock(); }  // needs frames faster than they can be seen
+  bool hurries() const { return !paused_ && !pace_.by_clock(); }  // wants frames faster than the display shows them
   std::string summary() const;
 
  private:
@@ -41,22 +41,22 @@ class Viewer {
     size_t chosen = 0;
     const std::string& name() const { return names[chosen]; }
     void next() { chosen = (chosen + 1) % names.size(); }
-    void pick(const std::string& name);  // the first if there is none of this name
+    void pick(const std::string& name);  // picks the first if none has this name
   };
 
   struct Search {
     Method method;
-    bool lit;  // it built the dense cells that lighting needs
+    bool lit;  // the search built the dense cells that lighting needs
     bool operator==(const Search&) const = default;
   };
-  struct Shown {  // what decides the image
+  struct Shown {  // everything that decides the image
     View view;
     uint64_t step;
     size_t backend, draw;
     bool box;
     bool operator==(const Shown& other) const;
   };
-  struct Seconds {  // of the frames that are timed
+  struct Seconds {  // seconds of the timed frames
     double move = 0, collide = 0, draw = 0, show = 0;
   };
 
@@ -87,7 +87,7 @@ class Viewer {
   const Options options_;
   Bounds bounds_;
   Choice backends_, methods_, draws_, colours_{{"contacts", "speed", "radius"}};
-  Look palette_ = contact_look();  // of the chosen colours
+  Look palette_ = contact_look();  // the chosen colours
   size_t coloured_by_ = 0;
   size_t running_ = 0;  // the backend that holds the spheres
   bool paused_ = false, single_step_ = false, saving_ = false, light_ = true, box_ = true, panel_ = true,
@@ -95,12 +95,12 @@ class Viewer {
   Orbit orbit_;
   Pace pace_;
   uint64_t step_ = 0;
-  std::optional<Search> search_;  // of the spheres as they stand
+  std::optional<Search> search_;  // the search of the current spheres
   Collisions totals_;             // of the last search
   std::string error_;             // of the last change of backend
-  std::string saved_;             // of the last image that was to be saved: its name, or why it could not be
+  std::string saved_;             // the name of the last saved image, or the reason why saving failed
   std::optional<Shown> shown_;    // the last image
-  ImageSamples samples_;          // of the same, while it stands still
+  ImageSamples samples_;          // samples of the last image, while it stands still
   std::string picked_;            // the sphere that was clicked
   History history_;
   Seconds seconds_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The viewer's keys, its panel, and what they alone do.
+// The viewer's keys and panel, and the actions that only they start.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,18 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of no file that is there.
+// A name that no file has.
 fs::path free_name(const fs::path& folder, uint64_t step) {
   for (uint64_t k = 1;; ++k) {
     const fs::path path = folder / fmt::format("spherepair-{}{}.png", step, k == 1 ? "" : fmt::format("-{}", k));
-    std::error_code unreadable;  // said when it is written to
+    std::error_code unreadable;  // reported when a file is written to it
     if (!fs::exists(fs::symlink_status(path, unreadable))) return path;
   }
 }
 
 }  // namespace
 
-// Picks from the exact spheres, by whichever method the image is drawn.
+// Picks from the exact spheres, whatever method drew the image.
 void Viewer::pick(std::array<uint, 2> pixel) {
   picked_.clear();
   const View& seen = shown_->view;

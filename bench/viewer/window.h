@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A window that shows images and a panel of texts and choices, which is rebuilt in every frame that has one.
+// A window that shows images and a panel of texts and choices. The panel is rebuilt in every frame.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@
 namespace spherepair {
 
 enum class Present {
-  never,       // for timing without what the display system takes
+  never,       // for timing without the display system
   at_refresh,  // as often as the display refreshes; frames in between are not seen
-  and_wait     // the same, and no frame in between
+  and_wait     // the same, and waits, so that there are no frames in between
 };
 
 constexpr char escape_key = '\x1b';
@@ -27,9 +27,9 @@ class Window {
  public:
   virtual ~Window() = default;
 
-  // Presents what show() has drawn and processes the input since; false if the user has closed the window.
+  // Presents the image of show() and processes new input; false if the user has closed the window.
   virtual bool next(Present present) = 0;
-  virtual double seconds() const = 0;                              // of a clock that only goes forward
+  virtual double seconds() const = 0;                              // on a clock that never goes back
   virtual std::array<uint, 2> size() const = 0;                    // pixels
   virtual std::array<double, 2> dragged() const = 0;               // by the left button since the last frame, pixels
   virtual std::array<double, 2> panned() const = 0;                // by another one, or with shift
@@ -37,8 +37,8 @@ class Window {
   virtual std::optional<std::array<uint, 2>> clicked() const = 0;  // pixel, from the upper left; not the end of a drag
   virtual bool pressed(char key) const = 0;  // a lower-case letter, a space, + (also =), - or escape_key
 
-  // The panel: begun and ended between next() and show(). folded: to its title bar, also by the user; then it has no
-  // other contents.
+  // The panel: call these between next() and show(). folded: the panel is folded to its title bar, maybe by the user,
+  // and has no other contents.
   virtual void begin_panel(const std::string& title, bool& folded) = 0;
   virtual void end_panel() = 0;
   virtual void text(const std::string& line) = 0;  // wrapped
@@ -50,20 +50,20 @@ class Window {
   virtual void legend(std::span<const uint> colours, const std::vector<std::string>& labels) = 0;
   virtual void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) = 0;
 
-  // The image that the next show() shows: a texture of this size for Backend::show(), or uploaded, in the format of
+  // The image for the next show(): a texture of this size for Backend::show(), or an uploaded image in the format of
   // Backend::image().
   virtual uint texture(uint width, uint height) = 0;
-  virtual void upload(std::span<const uint> image) = 0;  // of the size given last
-  // Over the image of the next show() and under the panel; points as Point has them.
+  virtual void upload(std::span<const uint> image) = 0;  // of the last texture()'s size
+  // Draws a line over the image of the next show() and under the panel. Points are as in Point.
   virtual void line(Point a, Point b, double thickness, uint colour, double opacity) = 0;
   virtual void show() = 0;
   virtual std::vector<uint> screenshot() = 0;  // the last shown frame, same format
 
   virtual WindowContext& context() = 0;
-  virtual std::string renderer() const = 0;  // of its context, as OpenGL names it
+  virtual std::string renderer() const = 0;  // of its OpenGL context
 };
 
-// shared: with a context for everything that draws (WindowContext); else one that contexts of EGL's can exist with.
+// shared: the window has a context for all that draws (WindowContext); else one that can coexist with EGL's contexts.
 // Throws BackendError, which suggests `render`, without a display or in a build without windows.
 std::unique_ptr<Window> open_window(const std::string& title, uint width, uint height, bool shared);
 

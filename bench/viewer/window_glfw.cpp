@@ -24,7 +24,7 @@ class GlfwWindow final : public Window, private WindowContext {
  public:
   GlfwWindow(const std::string& title, uint width, uint height, bool shared) : shared_(shared) {
     if (!glfwInit()) fail("no window can be opened");
-    // EGL like the backends' own contexts, where they have such: GLX would conflict with them.
+    // EGL, if the backends have EGL contexts of their own: GLX would conflict with them.
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, shared ? GLFW_NATIVE_CONTEXT_API : GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, shared ? 4 : 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, shared ? 5 : 3);
@@ -46,7 +46,7 @@ class GlfwWindow final : public Window, private WindowContext {
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::StyleColorsLight();
     glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, note_key);  // ImGui's own then calls it
+    glfwSetKeyCallback(window_, note_key);  // ImGui's callback then calls ours
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330");
   }
@@ -182,10 +182,10 @@ class GlfwWindow final : public Window, private WindowContext {
     lines_.clear();
     ImGui::Render();
     const auto [window_width, window_height] = size();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drawing through OpenGL has its own
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drawing through OpenGL uses another framebuffer
     glViewport(0, 0, GLsizei(window_width), GLsizei(window_height));
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    drawn_ = true;  // next() swaps: until then the back buffer holds the frame for screenshot()
+    drawn_ = true;  // next() swaps buffers; until then the back buffer has the frame for screenshot()
   }
 
   std::vector<uint> screenshot() override {
@@ -205,7 +205,7 @@ class GlfwWindow final : public Window, private WindowContext {
 
  private:
   void make_current() override {
-    // GLFW does not see that a context of EGL's was made current in place of its own.
+    // GLFW does not notice when an EGL context replaced its own as the current one.
     if (!shared_ || glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
   }
 
@@ -216,7 +216,7 @@ class GlfwWindow final : public Window, private WindowContext {
     double opacity;
   };
 
-  // By what is printed on the key, in any layout.
+  // Notes the key by its printed letter, in any layout.
   static void note_key(GLFWwindow* window, int key, int scancode, int action, int) {
     if (action != GLFW_PRESS || ImGui::GetIO().WantTextInput) return;
     const char* printed = glfwGetKeyName(key, scancode);

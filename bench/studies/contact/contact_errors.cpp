@@ -17,7 +17,8 @@ SceneOptions options_of(const ContactPlan& plan) {
   return {.name = "gas", .n = plan.n, .seed = plan.seed, .packing_fraction = plan.packing_fraction};
 }
 
-// Enskog's: 1 / (4 d^2 n g sqrt(pi k T / m)), with velocities between -1 and 1 m/s along each axis.
+// Enskog's mean time between collisions, 1 / (4 d^2 n g sqrt(pi k T / m)), with velocities between -1 and 1 m/s along
+// each axis.
 double time_between_collisions(const ContactPlan& plan, double diameter) {
   const double f = plan.packing_fraction;
   const double at_contact = (1 - f / 2) / std::pow(1 - f, 3);  // the pair distribution of Carnahan and Starling
@@ -40,7 +41,7 @@ End end_of(Backend& backend, const Scene& scene, uint64_t steps) {
 
 int64_t word(const std::vector<uint>& wide, uint64_t k) { return load_real<int64_t>(wide, k); }
 
-// Radii; of states in the same units.
+// The rms distance of two states in the same units, in radii.
 double rms_distance(const Scene& scene, const std::vector<uint>& a, const std::vector<uint>& b) {
   const double metres = std::exp2(-scene.contact.unit_exponent);
   double sum = 0;
@@ -53,7 +54,7 @@ double rms_distance(const Scene& scene, const std::vector<uint>& a, const std::v
   return std::sqrt(sum / double(std::max<uint64_t>(scene.size(), 1)));
 }
 
-// Of the sum of all, which itself may be beyond 64 bits.
+// The change of the sum of all momenta. The sum itself may exceed 64 bits.
 std::array<int64_t, 3> change_of_momentum(const Scene& scene, const std::vector<uint>& wide) {
   const std::vector<uint> start = fixed_state(scene);
   std::array<int64_t, 3> change{};
@@ -65,7 +66,8 @@ std::array<int64_t, 3> change_of_momentum(const Scene& scene, const std::vector<
   return change;
 }
 
-// Back from where it stands: momenta of half a step later, negated, belong to the way back.
+// Whether as many steps back reach the first positions. The way back begins with the negated momenta of half a step
+// later.
 bool comes_back(Backend& backend, const Scene& scene, uint64_t steps) {
   const Backend::State far = current_state(backend);
   backend.move();
@@ -145,7 +147,8 @@ std::string label(const ContactKind& kind) {
                               : contact_name(kind.law);
 }
 
-// The plane is a box below the spheres, which they do not reach. Time steps are the coarsest one's over powers of two.
+// The plane lies one height of the box below the spheres, which do not reach it. Time steps are the coarsest one over
+// powers of two.
 Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact) {
   Scene scene = make_scene(options_of(plan));
   scene.restitution = kind.restitution;

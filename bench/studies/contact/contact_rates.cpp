@@ -29,14 +29,14 @@ Gas equilibrated(Backend& backend, const ContactPlan& plan, uint64_t seed) {
   return equilibrated_gas(backend, scene, plan.rates.equilibration * double(scene.contact.high.x));
 }
 
-// The pressure, or the time of Haff's law.
+// The measured pressure or time of Haff's law.
 struct Measured {
   double found, expected;
 };
 Measured measured(Backend& backend, const ContactPlan& plan, Gas gas, uint steps_a_contact) {
   const uint64_t samples = plan.rates.samples;
   const bool elastic = gas.scene.restitution == 1;
-  const double kinetic = double(gas.scene.size()) * gas.mass / 2;  // as the gas starts
+  const double kinetic = double(gas.scene.size()) * gas.mass / 2;  // of the gas at its start
   const double seconds = elastic ? plan.rates.pressure_seconds
                                  : plan.rates.cooling_times * expected_tau(gas, plan.packing_fraction, kinetic);
   choose_step(gas.scene, coarsest);
@@ -52,7 +52,7 @@ Measured measured(Backend& backend, const ContactPlan& plan, Gas gas, uint steps
 
 }  // namespace
 
-// The gas of a seed is equilibrated once; every restitution and time step starts from there.
+// Equilibrates the gas of each seed once; every restitution and time step starts from that state.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress) {
   if (std::ranges::none_of(plan.kinds, [](const ContactKind& kind) { return kind.law == ContactLaw::spring; }))
     return {};

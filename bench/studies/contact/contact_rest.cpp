@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Beds at rest: how they come to it, and what a step of them costs with spheres at rest passed over and without.
+// Beds at rest: brings them to rest, and times a step with sleeping spheres and without.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@ constexpr uint64_t steps_between_reports = 1000;
 constexpr uint64_t rest_steps_compared = 50;  // from the bed at rest
 constexpr uint64_t fewest_of_target = 1'000'000;
 
-// In whole layers: one with holes would push the walls apart unevenly, which takes long to die down.
+// The number of spheres in whole layers. A layer with holes would push the walls apart unevenly, which takes long to
+// damp.
 uint64_t spheres_of_layers(uint64_t fewest, uint64_t layers) {
   uint64_t side = 1, n = 0;
   for (; n < fewest; ++side) n = (layers + 1) / 2 * side * side + layers / 2 * (side - 1) * (side - 1);
@@ -90,7 +91,7 @@ RestStart come_to_rest(Backend& backend, const RestPlan& plan, SettledBed& bed, 
   return {std::move(scene), std::move(state)};
 }
 
-// With spheres at rest passed over and without, on all backends: the same bits.
+// Checks that all backends give the same bits, with sleeping spheres and without.
 void compare_at_rest(Session& session, const std::vector<Backend*>& backends, RestStart& start, double drag) {
   const SceneOptions options{.name = "bed", .n = start.scene.size()};
   std::optional<Backend::State> expected;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts: error and run time by law, time step and sum of the impulses, and what sums without an order cost: the
-// measurements of `spherepair contacts`.
+// The measurements of `spherepair contacts`: error and run time by law, time step and sum of the impulses, and the cost
+// of sums without an order.
 //
 // contacts.json, "format": "spherepair contacts 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
@@ -28,9 +28,9 @@
 //      restitution, steps_a_contact, backend, n, dt,
 //      found        p d^3 / (k T), or seconds
 //      over_theory  that over what kinetic theory of hard spheres expects (Carnahan and Starling, Enskog)
-//      error        of what is found against the converged time step's from the same start, over it; null for itself}
+//      error        of `found` relative to the converged time step from the same start; null for that step}
 //     each {median, low, high, coverage} over the seeds: low and high hold the median with this probability
-//   beds       that have come to rest, and steps from there with spheres at rest passed over and without:
+//   beds       beds at rest, and steps from there with sleeping spheres and without:
 //     {n, dt, steps_averaged; layers, stages and the like are in the settings
 //      unmoved      share of the spheres whose state a step leaves as it is, bit for bit
 //      kinetic      kinetic energy over the total energy at the start
@@ -66,20 +66,20 @@ struct RatePlan {
   uint64_t n = 16384;
   uint64_t seeds = fewest_for_interval;
   uint converged = 640;         // steps a contact
-  float softer = 16;            // than the scene's own stiffness: contacts last four times as long
+  float softer = 16;            // the scene's own stiffness over this: contacts last four times as long
   double equilibration = 0.8;   // seconds a metre of the box, see equilibrated_gas
   double pressure_seconds = 1;  // of a measurement
-  double cooling_times = 0.5;   // the same, of Haff's
-  uint64_t samples = 30;        // in each
+  double cooling_times = 0.5;   // the same, in times of Haff's law
+  uint64_t samples = 30;        // in each measurement
 };
 
 struct RestStage {
-  double drag;  // a step
+  double drag;  // of a step, as a share of the speed
   uint64_t steps;
 };
 
 struct RestPlan {
-  std::vector<uint64_t> sizes;  // at least; then in whole layers
+  std::vector<uint64_t> sizes;  // at least so many; rounded up to whole layers
   uint64_t layers = 10;
   float stiffness_a_layer = 3e5f;  // in proportion to the weight on the floor: beds of any height overlap as much
   float restitution = 0.3f;
@@ -95,12 +95,12 @@ struct ContactPlan {
   uint converged = 640;                                       // steps a contact
   uint64_t n = 4096, seed = SceneOptions{}.seed;
   double packing_fraction = 0.3;
-  double collisions = 2;  // mean times between those of a sphere: trajectories are not chaotic yet
+  double collisions = 2;  // mean times between collisions of a sphere: trajectories are not chaotic yet
   std::vector<uint64_t> cost_sizes;
   uint64_t cost_steps = 320;          // of the longest batch: several lists of near pairs
-  uint64_t most_on_host = 1'000'000;  // of the costs; more spheres are timed on GPUs only
-  std::vector<uint64_t> step_sizes;   // of whole steps
-  uint64_t steps_averaged = 1000;     // of those, from the start
+  uint64_t most_on_host = 1'000'000;  // spheres when costs are timed; more spheres only on GPUs
+  std::vector<uint64_t> step_sizes;   // sizes at which whole steps are timed
+  uint64_t steps_averaged = 1000;     // whole steps whose mean is taken, from the start
   RatePlan rates;
   RestPlan rest;
   Sampling sampling;
@@ -125,14 +125,14 @@ struct SumsCost {
   uint64_t n;
   ImpulseSums sums;
   Samples samples;
-  std::optional<Contest> integers;  // against these sums; none for themselves
+  std::optional<Contest> integers;  // integer sums against these sums; none for integer sums
 };
 
 struct GasSteps {  // whole steps of a gas from its start: contacts, motion, walls, lists of near pairs
   std::string backend;
   uint64_t n, steps;
   Samples samples;                                                             // of all steps at once
-  std::optional<Contest> over_cuda;                                            // of other GPU APIs
+  std::optional<Contest> over_cuda;                                            // for GPU APIs other than CUDA
   double seconds() const { return samples.median_seconds() / double(steps); }  // of a step, the mean
   double per_second() const { return double(n) / seconds(); }                  // sphere-steps
 };
@@ -150,7 +150,7 @@ struct RestSteps {  // from where spheres are at rest, the list of near pairs in
   std::string backend;
   bool sleeping;
   Samples samples;
-  std::optional<Contest> awake;  // over these, which sleep
+  std::optional<Contest> awake;  // the step without sleeping over this one
 };
 struct SettledBed {
   uint64_t n, averaged;  // spheres, and steps of a sample
@@ -160,40 +160,40 @@ struct SettledBed {
 
 Backend& fastest(const Session& session);
 
-// Spheres of a gas as it starts, without the box, so that nothing but contacts changes momenta.
+// Spheres of a gas at its start, without the box, so that only contacts change momenta.
 Scene contact_scene(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
-// For so many mean times between the collisions of a sphere, as kinetic theory has them.
+// The steps of a run that lasts plan.collisions mean times between collisions, by kinetic theory.
 uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint steps_a_contact);
 
-// Those that this many spheres are timed on: the CPU and APIs in software leave out more than plan.most_on_host.
+// The backends that time this many spheres: the CPU and APIs in software leave out more than plan.most_on_host.
 std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
                                    std::vector<std::string>& left_out);
 json ratio_of(const std::optional<Contest>& contest);
 json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
-// The backend uses these sums from the next step on. If it lacks them, returns false and adds the reason to `left_out`
-// once.
+// Makes the backend use these sums from the next step on. If it lacks them, returns false and adds the reason to
+// `left_out` once.
 bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
 
-// Each run on every backend. Throws DifferenceFound if two backends differ in any bit after steps whose sums have an
-// order or need none.
+// Makes each run on every backend. Throws DifferenceFound if two backends differ in any bit, unless the sums depend on
+// the order of atomics.
 std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan,
                                                std::vector<std::string>& left_out, Progress& progress);
-// Adds the times of their steps.
+// Adds the times of the runs' steps.
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
 
-// Both first compare the states by each of the sums that they time, `atomics` excepted, and throw DifferenceFound where
-// two backends differ in any bit. The CPU and APIs in software leave out more than plan.most_on_host spheres.
+// Both first compare the states for each sum that they time, except `atomics`, and throw DifferenceFound if two
+// backends differ in any bit. The CPU and APIs in software leave out more than plan.most_on_host spheres.
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress);
 std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                         Progress& progress);
 
-// Over every time step of the plan and the converged one, with integer sums alone. Other sums round differently: that
-// soon changes every path of a gas, but no mean.
+// Measures rates at every time step of the plan and the converged one, with integer sums only. Other sums round
+// differently: that soon changes every path of a gas, but no mean.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
 
-// The fastest backend moves a bed by all stages; all go on from there, compared first.
+// The fastest backend moves a bed through all stages. All backends continue from there, after a comparison.
 std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                      Progress& progress);
 
@@ -213,7 +213,7 @@ json to_json(const RatePlan& plan);
 json to_json(const RestPlan& plan);
 json to_json(const SettledBed& bed);
 json to_json(const ContactRate& rate);
-// Tables within this width; empty without measurements.
+// The tables, at most this wide; empty without measurements.
 std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs, size_t width);
 std::string costs_text(const std::vector<SumsCost>& costs, size_t width);
 std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds, size_t width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `spherepair contacts` prints of errors, sums and whole steps.
+// The tables of `spherepair contacts` on errors, sums and whole steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ double largest(const std::array<int64_t, 3>& momentum) {
   return std::max({std::abs(double(momentum[0])), std::abs(double(momentum[1])), std::abs(double(momentum[2]))});
 }
 
-// Of one law: a row per time step and sum; errors are the largest of the backends, times of each.
+// The table of one law: a row per time step and sum, the largest error of all backends, and each backend's time.
 Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
   Table table{fmt::format("Contacts by {}: error of a run, and its time", label(kind)),
               {{"steps a", "contact", ""},

@@ -23,7 +23,7 @@ Scene gas_scene(const ContactPlan& plan, uint64_t n) {
   return scene;
 }
 
-// Sums that have an order or need none must give the same bits on all.
+// Checks that all backends give the same bits. Not for sums that depend on the order of atomics.
 void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums) {
   const SceneOptions options{.name = "gas", .n = scene.size()};
   std::optional<Backend::State> expected;
@@ -107,8 +107,8 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
     }
 }
 
-// As the gas mixes, its steps take longer: their mean is wanted, which the slope of K/4, K/2 and K steps is not. So
-// what is timed is all of them in one go. Its stages are left out: a device timer has those of a step ahead.
+// As the gas mixes, its steps take longer. We want their mean, which the slope of K/4, K/2 and K steps is not, so all
+// steps are timed in one go. Stages are left out: a device timer would have those of a step ahead.
 std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                         Progress& progress) {
   std::vector<GasSteps> all;
@@ -145,7 +145,7 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
   return all;
 }
 
-// The spheres go on from batch to batch: a gas in its box stays what it is.
+// The spheres move on from batch to batch: a gas in its box does not change as a whole.
 std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                    Progress& progress) {
   std::vector<SumsCost> all;
