@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readers of spheres say of bad files.
+// Checks the messages of sphere readers about bad files.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// The message begins with the file and the place.
+// Expects a message that begins with the file and the place.
 inline void expect_complaint(const std::string& name, const std::string& bytes, const std::string& place,
                              const std::string& expected, const std::string& found, const SphereFileOptions& options) {
   const ScratchFolder folder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of spheres as tests write, read and compare them.
+// Writes, reads and compares files of spheres.
 #pragma once
 
 #include <fmt/format.h>

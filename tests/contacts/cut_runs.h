@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small runs with contacts, drawn at random, and the same runs cut by checkpoints: both take their steps and write
-// their files as `spherepair run` does.
+// Small random runs with contacts, and the same runs cut by checkpoints. Both step and write files like `spherepair
+// run`.
 #pragma once
 
 #include <filesystem>
@@ -22,15 +22,15 @@ struct DrawnRun {
   double steps_a_contact = 40;
   float gravity = 0;
   bool walls = false, sleeping = true;
-  double fall = 0;        // gravity adds so many of the smallest radius a step to what a sphere falls in a step
-  bool squeezed = false;  // the smallest is between two of the largest, which move towards it
+  double fall = 0;        // g dt^2 in smallest radii: how much farther a sphere falls in each next step
+  bool squeezed = false;  // the smallest sphere is between two of the largest, which move towards it
 };
 std::string describe(const DrawnRun& run);
 
-// Spheres so near each other that they touch within few steps. None where the program refuses these parameters.
+// Spheres so near each other that they touch within a few steps. None if the program refuses these parameters.
 std::optional<Scene> scene_of(const DrawnRun& run);
 
-// What a run leaves: its last state, its statistics by step, and why and where it failed, if it did.
+// The result of a run: its last state, its statistics by step, and the step and the reason of a failure.
 struct RunEnd {
   Backend::State state;
   MotionState saved;
@@ -39,7 +39,7 @@ struct RunEnd {
   uint64_t failed_step = 0;
 };
 
-// A folder for a test, in memory where the machine has one there: a checkpoint on a disk takes 10 ms.
+// A folder for a test, in memory if the machine has such a folder: a checkpoint on a disk takes 10 ms.
 class FastFolder {
  public:
   FastFolder();
@@ -52,12 +52,13 @@ class FastFolder {
   std::filesystem::path folder_;
 };
 
-// A run of so many steps, cut at these: there it saves a checkpoint, from which the next of the backends goes on. The
-// first begins; behind the last comes the first again. Checkpoints and statistics go into the folder.
+// Makes a run of `steps` steps, cut at `cuts`: at each cut it saves a checkpoint, from which the next backend
+// continues. The first backend begins; after the last comes the first again. Checkpoints and statistics go into the
+// folder.
 RunEnd run_with_cuts(const Scene& scene, uint64_t steps, std::span<const uint64_t> cuts,
                      std::span<Backend* const> backends, const FastFolder& folder);
 
-// The first difference, as a sentence; empty where there is none. A cut run has more rows: those at its cuts.
+// The first difference as a sentence; empty if there is none. A cut run has additional rows at its cuts.
 std::string difference_of_ends(const RunEnd& cut, const RunEnd& whole);
 
 // Whether any row has contacts; whether a sphere rests at the end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `spherepair run` of a small bed, for tests of what it takes and leaves.
+// Runs `spherepair run` on a small bed, for tests of its options and files.
 #pragma once
 
 #include <fmt/format.h>

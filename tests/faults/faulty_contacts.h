@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps with contacts that go wrong in one known way, and what a resumed run then begins with.
+// Spoils steps with contacts, or the start of a resumed run, in one known way.
 #pragma once
 
 #include "tests/faults/faulty_backend.h"
@@ -8,12 +8,12 @@ namespace spherepair {
 
 bool spoils_steps(Fault fault);
 
-// The state behind a step from `before` to `after`. earlier: the state a step ahead of `before`, empty in the first
-// step. first_list: the near pairs of the start still serve.
+// The spoiled state after a step from `before` to `after`. earlier: the state one step before `before`, empty in the
+// first step. first_list: the list of near pairs made at the start is still in use.
 Backend::State spoiled_step(Fault fault, const Scene& scene, const Backend::State& earlier,
                             const Backend::State& before, const Backend::State& after, bool first_list);
 
-// The saved state that the next steps of a resumed run begin with.
+// The spoiled state with which a resumed run begins.
 MotionState spoiled_start(Fault fault, const Scene& scene, MotionState saved);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests of the comparing code share: a session of the CPU and a faulty backend, and what is said of a fault.
+// Shared by tests of the comparing code: a session of the CPU and a faulty backend, and the message about a fault.
 #pragma once
 
 #include <gtest/gtest.h>

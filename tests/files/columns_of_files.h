@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file of text is read as, or why it is refused.
+// Checks the columns that a text file is read as, or the reason why it is refused.
 #pragma once
 
 #include "tests/bench/sphere_readings.h"

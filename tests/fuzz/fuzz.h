@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fuzz targets share. A target is one file with libFuzzer's entry. Bad bytes may end in std::invalid_argument
-// and in nothing else: any other exception, a crash, a sanitizer's report or a wait of 10 s is a finding.
+// Shared by the fuzz targets. A target is one file with libFuzzer's entry. Bad bytes may only end in
+// std::invalid_argument: any other exception, a crash, a sanitizer's report or a wait of 10 s is a finding.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,10 @@ inline std::string_view text_of(const uint8_t* data, size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-// Ends the process, which libFuzzer takes for a finding.
+// Ends the process if the condition is false, which libFuzzer counts as a finding.
 void require(bool holds, const char* what);
 
-// What the action returns; nothing when it refuses.
+// The result of the action; none if it refuses the input.
 template <typename Action>
 auto unless_refused(Action action) -> std::optional<decltype(action())> {
   try {
@@ -36,7 +36,7 @@ auto unless_refused(Action action) -> std::optional<decltype(action())> {
   }
 }
 
-// Values one after the other from the front of the input; zeros behind its end.
+// Takes values from the front of the input, one after the other; zeros after its end.
 class Values {
  public:
   Values(const uint8_t* data, size_t size) : rest_(text_of(data, size)) {}
@@ -60,7 +60,7 @@ class Values {
 
 Backend& fuzzed_backend();  // the CPU's, with one thread
 
-// All pairs, one by one and in vectors, and the grid: one set from the spheres as they stand on the CPU.
+// Requires that all pairs, one by one and in vectors, and the grid find one set of the CPU backend's current spheres.
 void require_one_set();
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays of tests in CUDA's memory.
+// Puts arrays of tests into CUDA's memory.
 #pragma once
 
 #include <cuda_runtime_api.h>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// A vector of the host, in CUDA's memory.
+// A copy of a host vector in CUDA's memory.
 template <typename Element>
 class OnDevice {
  public:
@@ -45,7 +45,7 @@ class OnDevice {
   void* data_ = nullptr;
 };
 
-// A problem in the host's memory, and the same in CUDA's.
+// A problem in the host's memory, and the same in CUDA's memory.
 struct Both {
   explicit Both(const ListProblem& problem, bool wide_rows)
       : points(numbers(problem.set)),

@@ -16,12 +16,12 @@ struct OracleContact {
   long double damping = 0;  // of spring: kg/s
 };
 
-// Half the period of shallow contacts, from the force's slope where the spheres touch. Not of hertz, which has none
-// there.
+// Half the period of shallow contacts, from the force's slope where the spheres touch. Not for hertz, whose slope there
+// is 0.
 long double shallow_seconds(const OracleContact& contact);
 
-// Share of the closing speed that is left when the force, which never attracts, has become 0: Runge-Kutta of fourth
-// order.
+// The share of the closing speed that is left when the force, which never attracts, has become 0. By Runge-Kutta of
+// fourth order.
 long double speed_left(const OracleContact& contact, long double closing_speed);
 
 }  // namespace spherepair

@@ -39,10 +39,10 @@ struct OracleWorld {
 
 Real oracle_mass(Real radius);  // in kg: 1000 kg/m^3
 
-// Moves the world by so many seconds, in steps of at most this long.
+// Moves the world by `seconds`, in steps of at most `longest_step` seconds.
 void advance(OracleWorld& world, Real seconds, Real longest_step);
 
-// The columns of --statistics at this moment.
+// The columns of --statistics for the current state.
 struct OracleStatistics {
   Real kinetic = 0, contact = 0, potential = 0, virial = 0, floor_force = 0, greatest_overlap = 0;
   std::array<Real, 3> momentum = {};
@@ -50,8 +50,8 @@ struct OracleStatistics {
 };
 OracleStatistics statistics_of(const OracleWorld& world);
 
-// Damping over the critical value with which a contact leaves this share of the closing speed, by bisection over
-// contacts that are moved; how long such a contact lasts, in units in which one without a damper lasts pi.
+// The damping over its critical value with which a contact leaves this share of the closing speed, found by bisection
+// over simulated contacts; and the duration of such a contact, where one without a damper lasts pi.
 struct OracleDamper {
   Real damping, seconds;
 };

@@ -7,18 +7,18 @@
 
 namespace spherepair {
 
-// Of a problem all of whose numbers are multiples of 1/8 below 2^20, by integers. Images from -range to range along
-// each periodic row; throws std::logic_error if one at the end of the range is a pair.
+// The list of a problem whose numbers are all multiples of 1/8 below 2^20, by integers. Tries images from -range to
+// range along each periodic row; throws std::logic_error if one at the end of the range is a pair.
 std::vector<ListedPair> list_by_integers(const ListProblem& problem, int range);
 
-// Of any problem, by rational numbers; slow.
+// The list of any problem, by rational numbers; slow.
 std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range);
 
 // Decides one pair in rational arithmetic.
 bool is_pair_by_rationals(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
-// Numbers that are multiples of 1/8; points, radii or a cutoff, boxes of every kind, one system or several, queries,
-// exclusions, ties in plenty.
+// A random problem of multiples of 1/8: points, radii or a cutoff, boxes of every kind, one system or several, queries,
+// exclusions, many ties.
 ListProblem random_problem(Random& random);
 
 }  // namespace spherepair

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact answer, by other means than the program's: floats are taken apart by their bits and compared as GMP
-// integers. Nothing here shares code with exact.h.
+// Computes the exact answer independently of the program: it splits floats into their bits and compares GMP integers.
+// Nothing here shares code with exact.h.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ enum class Relation { nonfinite, apart, tangent, overlapping };
 
 Relation relation(const vec4& a, const vec4& b);
 
-// spheres[2k] against spheres[2k + 1] for every k, on all cores.
+// Relates spheres[2k] to spheres[2k + 1] for every k, on all cores.
 std::vector<Relation> relations(std::span<const vec4> spheres);
 
 // The colliding pairs in canonical order: every pair decided by relation().
@@ -23,7 +23,7 @@ std::vector<Pair> brute_force_pairs(std::span<const vec4> spheres);
 // The same set for large scenes: only pairs whose bounding boxes, a little enlarged, intersect go to relation().
 std::vector<Pair> swept_pairs(std::span<const vec4> spheres);
 
-// Those pairs whose spheres share a group of `block` consecutive indices.
+// The pairs whose spheres share a group of `block` consecutive indices.
 std::vector<Pair> within_groups(std::span<const Pair> pairs, uint block);
 
 }  // namespace spherepair

@@ -26,17 +26,18 @@ struct OraclePath {
   Float speed(Float t, size_t k) const { return flights[k].v - flights[k].pull * (t - flights[k].begin); }
 };
 
-// Bounce by bounce until the step ends, or flights last less than a part in 2^50 of it. `one`: impact_linear. From
-// below the plane it flies on if that ends above, and else is put onto the plane.
+// The path, bounce by bounce until the step ends or flights last less than 2^-50 of it. `one`: impact_linear. A sphere
+// below the plane flies on if it ends above, and else is put onto the plane.
 OraclePath path_of(const Scene& scene, const vec4& at, const vec4& velocity, bool one);
 
-// What a swept search has to find, and what it may find besides: what comes as near as rounding and halvings go.
+// The pairs that a swept search must find, and those that it may also find: paths as near as the errors of rounding and
+// halving.
 struct Expected {
   std::vector<Pair> must, may;
-  uint64_t behind_bounces = 0;  // of `must`: that flights without the plane do not bring together
+  uint64_t behind_bounces = 0;  // pairs of `must` that would not meet without the plane
 };
 
-// `tolerance`: in metres, of what rounding decides.
+// tolerance: metres by which rounding may decide.
 Expected expect_of_paths(std::span<const OraclePath> paths, Float dt, Float tolerance);
 
 }  // namespace spherepair

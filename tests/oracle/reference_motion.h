@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The method `paper` by other means than motion.h: every operation in rational numbers, then rounded to float32.
+// The method `paper` independently of motion.h: every operation in rational numbers, then rounded to float32.
 #pragma once
 
 #include "common/backend/backend.h"
@@ -7,7 +7,7 @@
 
 namespace spherepair {
 
-// What motion.h takes, for a scene whose dt is a power of two: all its products are then exact.
+// The parameters for motion.h, for a scene whose dt is a power of two: all products are then exact.
 MotionParams reference_params(const Scene& scene);
 
 struct Moved {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How often a predicate is right: adversarial pairs go through it and through the oracle.
+// Counts how often a predicate is right: adversarial pairs go through it and through the oracle.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace spherepair {
 
-// Answers spheres[2k] against spheres[2k + 1] for every k, as verdict_code().
+// Decides spheres[2k] against spheres[2k + 1] for every k; returns verdict_code()s.
 using Decider = std::function<std::vector<uint>(std::span<const vec4> spheres)>;
 
 struct Tally {
@@ -28,7 +28,8 @@ constexpr uint FILTER_SCALE_BITS = 0x3F80000Cu, FILTER_OFFSET_BITS = 0x0D800000u
 std::vector<uint> decide_directly(std::span<const vec4> spheres);  // decide_pair, on all cores
 Decider decider_of(bool (*collide)(vec4 a, vec4 b));
 
-// How many pairs of each family a backend decides: over 10^7 in all, a tenth and more exactly tangent.
+// The number of pairs of each family that a backend decides: over 10^7 in all, at least a tenth of them exactly
+// tangent.
 struct FamilyPairs {
   Family family;
   uint64_t pairs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle's world of the same spheres, law and walls as a scene, and moved by both.
+// Makes the oracle's world with the spheres, law and walls of a scene, and moves it by the same time.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -9,10 +9,10 @@ namespace spherepair {
 
 OracleLaw oracle_law(ContactLaw law);
 
-// Of the chosen stiffness, with the damper that the restitution asks for.
+// The world with the scene's stiffness and the damper of its restitution.
 OracleWorld world_of(const Scene& scene);
 
-// The time of steps of a scene's dt, and the longest step in which the oracle moves it.
+// The time of `steps` steps of a scene, and the longest step in which the oracle moves it.
 inline Real seconds_of(const Scene& scene, uint64_t steps) { return static_cast<Real>(scene.dt) * Real(steps); }
 
 }  // namespace spherepair

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stress catalogue as a table: which rows ran, on which backend, with which figure and bound, and whether they
-// passed. A test of a row is named RowNN_WhatItShows, whatever its suite.
+// Writes the stress catalogue as a table: the rows that ran, their backend, figure and bound, and whether they passed.
+// A test of a row is named RowNN_WhatItShows, whatever its suite.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 
 namespace spherepair {
 
-// What a row measured, for the table: several of one test are joined.
+// Notes a measurement of a row for the table; several of one test are joined.
 void note_figure(const std::string& figure, const std::string& bound = {});
 
-// One more of what a test compares: "answers" (collision sets) or "states".
+// Counts one more comparison of a test: "answers" (collision sets) or "states".
 void count_figure(const std::string& what);
 
 // Collects rows as tests end; writes stress.txt and stress.json, with machine and commit, into the folder that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A backend whose steps take a known time on a clock of the test's, and the session and sampling that go with it.
+// A backend whose steps take a known time on the test's own clock, and a session and sampling for it.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Seconds, in place of the host's clocks: nothing but a step or a wait lets them pass.
+// Seconds in place of the host's clocks: only a step or a wait advances them.
 struct TestClock {
   double wall = 0, cores = 0;
   double others = 0;  // share of the machine's cores that other programs keep busy
@@ -23,8 +23,8 @@ struct TestClock {
   }
 };
 
-// As a GPU, unless its name is cpu. A batch takes `fixed` seconds for the wait at its end, and `step` for each step;
-// `late` more behind one of more than `many` steps, unless it has few itself.
+// Acts as a GPU, unless its name is cpu. A batch takes `fixed` seconds for the wait at its end and `step` for each
+// step. After a batch of more than `many` steps it takes `late` more, unless it has at most `few` itself.
 class ClockedBackend final : public ForwardingBackend {
  public:
   ClockedBackend(const std::string& name, TestClock& clock)

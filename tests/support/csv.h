@@ -47,7 +47,7 @@ inline std::vector<CsvRow> read_csv(const std::string& text) {
   return rows;
 }
 
-// What a sample is of: the row without its time and these columns.
+// The key of a sample: its row without the time and these columns.
 inline std::string csv_key(CsvRow row, const std::vector<std::string>& besides = {}) {
   row.erase("seconds");
   for (const std::string& name : besides) row.erase(name);
@@ -56,7 +56,7 @@ inline std::string csv_key(CsvRow row, const std::vector<std::string>& besides =
   return key;
 }
 
-// No two samples are of the same round of the same configuration.
+// Expects that no two samples have the same round of the same configuration.
 inline void expect_all_told_apart(const std::vector<CsvRow>& rows) {
   std::set<std::string> keys;
   for (const CsvRow& row : rows) EXPECT_TRUE(keys.insert(csv_key(row, {"turn", "batch"})).second) << csv_key(row);

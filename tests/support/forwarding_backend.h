@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A backend that passes every call on to another one: what those of tests change a part of.
+// A backend that passes every call on to another one; backends of tests override some calls.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace spherepair {
 
-// Every call goes on to another backend.
+// Forwards every call to another backend.
 class ForwardingBackend : public Backend {
  public:
   ForwardingBackend(const std::string& name, std::unique_ptr<Backend> real)

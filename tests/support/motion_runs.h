@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that bounce, and running a backend through them: what the tests of the motion methods share.
+// Shared by tests of the motion methods: scenes that bounce, and running a backend through them.
 #pragma once
 
 #include "bench/check/closed_form.h"
@@ -16,15 +16,15 @@ struct BouncingOptions {
 // The paper's first animation: heights up to 20 m above the plane, vertical speeds up to 5 m/s.
 Scene bouncing_scene(const BouncingOptions& options);
 
-// Like it, with places, speeds, radii and directions of every size, spheres at rest on the plane and below it.
+// The same with positions, speeds, radii and directions of every size, and spheres at rest on the plane and below it.
 Scene awkward_scene(const BouncingOptions& options);
 
-// The state after so many steps from the scene.
+// The state after `steps` steps from the scene.
 Backend::State run_steps(Backend& backend, const Scene& scene, uint64_t steps);
 
 Backend& cpu_backend();
 
-// Fails naming the first sphere, and the place in the wide state, that differs in any bit.
+// Fails if the states differ in any bit, and names the first sphere and the place in the wide state.
 void expect_equal_states(const Backend::State& given, const Backend::State& wanted, const std::string& where);
 
 constexpr Precision PRECISIONS[] = {Precision::float32, Precision::compensated, Precision::float64};

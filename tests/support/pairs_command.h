@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `pairs` on a file of spheres whose pairs are known.
+// Runs the command `pairs` on a file of spheres whose pairs are known.
 #pragma once
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ class PairsCommand : public testing::Test {
     return complaint;
   }
 
-  // The exit code of the program itself; what it printed goes to output_ and errors_.
+  // Runs the program and returns its exit code; its output goes to output_ and errors_.
   int run_program(const std::string& arguments, const std::string& before = "") {
     const std::string command = fmt::format("{} '{}' {} >'{}' 2>'{}'", before, SPHEREPAIR_PROGRAM, arguments,
                                             folder_.path("out"), folder_.path("err"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program as a user runs it, in a shell.
+// Runs the program in a shell, as a user does.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// A sanitizer of addresses itself needs more address space than a limit on it would leave.
+// AddressSanitizer needs more address space than a limit on it would leave.
 #ifdef __has_feature
 constexpr bool limits_address_space = !__has_feature(address_sanitizer);
 #elif defined(__SANITIZE_ADDRESS__)
@@ -26,10 +26,10 @@ struct Outcome {
   std::string output, errors;
 };
 
-// Runs a shell command; its standard output and error go through files of this folder.
+// Runs a shell command; its standard output and error go through files in this folder.
 Outcome run_shell(const std::string& command, const ScratchFolder& folder);
 
-// Ablations where the tests were carried to another machine without the program.
+// Tests of the program; skipped on a machine to which only the tests were copied.
 class ProgramTest : public testing::Test {
  protected:
   void SetUp() override;

@@ -10,7 +10,7 @@
 
 namespace spherepair {
 
-// Shows nothing, and answers what the test has set.
+// Shows nothing, and answers with the test's values.
 class ScriptedWindow final : public Window, private WindowContext {
  public:
   bool next(Present) override { return true; }
@@ -55,14 +55,14 @@ class ScriptedWindow final : public Window, private WindowContext {
   std::array<uint, 2> extent = {160, 120};
   std::array<double, 2> drag{}, pan{};
   mutable double now = 0;
-  double tick = 0;  // that a look at the clock takes, seconds
+  double tick = 0;  // seconds by which each reading advances the clock
   double scroll = 0;
   std::optional<std::array<uint, 2>> click;
   std::optional<uint64_t> slid;
   std::array<uint64_t, 2> range{};
   std::string texts;
   std::vector<std::string> titles;  // of all panels so far
-  std::optional<bool> folds;        // by the user
+  std::optional<bool> folds;        // set by the user
   bool folded = false;
   std::vector<double> lines, next_lines;  // opacities
   int uploads = 0;

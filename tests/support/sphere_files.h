@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of spheres made for a test, in a folder that goes with it.
+// Makes files of spheres for a test, in a folder that is removed with it.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ class ScratchFolder {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string write(const std::string& name, const std::string& bytes) const;  // returns the path
-  std::vector<std::string> names() const;                                      // what is there, sorted
+  std::vector<std::string> names() const;                                      // of the files in it, sorted
 
  private:
   std::filesystem::path folder_;
@@ -29,7 +29,7 @@ class ScratchFolder {
 
 std::string read_bytes(const std::string& file);
 
-// What a failing action says; empty when it does not throw std::invalid_argument.
+// The message of a failing action; empty if it does not throw std::invalid_argument.
 template <typename Action>
 std::string complaint_of(Action action) {
   try {
@@ -40,11 +40,11 @@ std::string complaint_of(Action action) {
   return {};
 }
 
-// An NPY file of this header, padded as NumPy does, and data.
+// An NPY file of this header, padded like NumPy's, and data.
 std::string npy_file(const std::string& header, const std::string& data, char version = 1);
 std::string npy_header(const std::string& dtype, const std::string& shape, bool fortran_order = false);
 
-// Numbers row by row, as the array's data in that order of bytes and of axes.
+// The numbers row by row as an array's data, in the given order of bytes and of axes.
 template <typename Real>
 std::string npy_data(const std::vector<Real>& values, size_t columns, bool big_endian = false,
                      bool fortran_order = false) {
