@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Digests of what is timed: one for each kernel of each API, of its file and all that it includes, and one for each
-# host path. They need the source tree alone; // comments, white space and the lines that include do not count, so that a
-# file may move. build_info.cmake puts them into the program, which writes them into every record; paper/sources.py
+# Digests of timed sources: one for each kernel of each API, of its file and all that it includes, and one for each host
+# path. They need only the source tree. Comments (//), white space and include lines do not count, so that a file may
+# move. build_info.cmake puts the digests into the program, which writes them into every record; paper/sources.py
 # compares those with the tree's:
 #   cmake -DSOURCE=. -DOUTPUT=digests.json -P bench/io/source_digests.cmake
 cmake_minimum_required(VERSION 3.22)
 
-# A host path is what makes the spheres and enqueues, waits and reads back; what only contacts and swept searches run
-# is host/contacts. `measure` is how every sample is taken. By the figures of crossover.h the automatic choice is made, not
-# what is then timed.
+# A host path is the code that makes the spheres, enqueues, waits and reads back; host/contacts is the part that only
+# contacts and swept searches run. `measure` is the code that takes samples. crossover.h is left out: its figures decide
+# the automatic choice, not what is then timed.
 set(gpu_rooms common/scene common/scene/contact common/backend common/device common/simulation common/simulation/motion
   common/simulation/search)
 set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/backend common/cpu common/cpu/search)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Draws font.png, the letters of images: DejaVu Sans, as matplotlib brings it. Run it after a change of `LETTERS`.
 
-The letters stand side by side, in the order of `LETTERS`. The first row of pixels is white where a letter's box begins;
-the box is as wide as the letter is to advance."""
+The letters are side by side, in the order of `LETTERS`. The first row of pixels is white where a letter's box begins;
+the box is as wide as the letter's advance."""
 
 import pathlib
 
