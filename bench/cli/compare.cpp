@@ -49,7 +49,7 @@ class Record {
     write_file(folder_ / "results.json", json_text(root_));
   }
 
-  // Writes the tables as text, and their samples as CSV. Of tables without times the CSV has the last one.
+  // Writes the tables as text, and their samples as CSV. If there are no samples, the CSV has the last table.
   void write_tables(const std::string& name, const std::vector<Table>& tables, const json& measurements) {
     json timed = json::array();
     for (const json& row : measurements)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seed paper's Table 1 as printed.
+// The original paper's Table 1 as printed.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of colliding spheres given by the seed paper and ours: evidence that the scene is the paper's.
+// The numbers of colliding spheres in the original paper and ours: evidence that our scene is the paper's.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seed paper's Table 1, frames per second and drawing: move, find the pairs, draw, without a display's limit.
+// The original paper's Table 1, frames per second and drawing: move, find the pairs, draw, without a display's limit.
 // Sequential: one thread of the CPU, one draw a sphere. Parallel: a GPU API, one instanced draw.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seed paper's Table 1, sphere-plane and sphere-sphere, and our times.
+// The original paper's Table 1, sphere-plane and sphere-sphere, and our times.
 #include <fmt/format.h>
 
 #include <algorithm>
