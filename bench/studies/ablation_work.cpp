@@ -33,7 +33,7 @@ json counts_json(const WorkCounts& before, const WorkCounts& after) {
           {"lists", each(&WorkCounts::lists)},           {"without_radii", each(&WorkCounts::without_radii)}};
 }
 
-// Mean number of cells of a dense grid in a sphere's reach, its own included: at most 27, of which the search tests
+// Means per step: the spheres tested against the plane, and the spheres that bounced.
 json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
   uint64_t tested = 0, bounced = 0;
   for (int k = 0; k < steps_counted; ++k) {

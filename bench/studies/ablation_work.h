@@ -19,8 +19,9 @@ bool moves(Spheres kind);  // whether they move in every timed step
 // ones for a second, so that some bounce in every step.
 void start(Backend& backend, Spheres kind, const Scene& scene);
 
-// Runs a few more steps and returns means per step: launches, sorts, ...; depending on the work also the pairs left to
-// the exact stages, the cells in a sphere's reach, the spheres tested against the plane and those that bounced.
+// Runs a few more steps and returns counts of their work. For collide: means per step of launches, sorts and the like,
+// and the pairs left to the exact stages. For bounce: spheres tested against the plane, and spheres that bounced. For
+// push: lists of near pairs. Empty for the others.
 json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene);
 
 }  // namespace spherepair
