@@ -15,7 +15,7 @@ struct DeviceCapabilities {
   bool atomics_64 = false;       // 64-bit atomic minimum on buffers
   bool float_atomics = false;    // atomic addition of float32 on buffers
   bool overlaps_images = false;  // can draw the spheres of one image while the previous one is still resolved
-  bool makes_lists = false;      // kernels make lists of pairs: only CUDA, see docs/NOTES/lists.md
+  bool makes_lists = false;      // kernels make lists of pairs: CUDA, and Vulkan on a GPU; see docs/NOTES/lists.md
   uint bounds_block = 0;         // group size of grid_bounds
   uint tensor_groups = 0;        // groups of collide_tensor that run at once; 0: no such kernel
   uint tensor_block = 0;         // group size of that kernel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A row for every kernel: its name, which its source files, its stage in the results and its entry in CUDA share, and
 // the buffers that it reads and writes in any variant. Devices place waits between launches by this table; the lint
-// compares it with the shaders. Only Vulkan and CUDA have the tensor kernels, only CUDA has persistent_steps. Kernels
-// of lists are twins, too, but OpenGL and Vulkan run them only in tests (docs/NOTES/lists.md).
+// compares it with the shaders. Only Vulkan and CUDA have the tensor kernels, only CUDA has persistent_steps. OpenGL
+// and software run the kernels of lists only in tests (docs/NOTES/lists.md).
 #pragma once
 
 // clang-format off

@@ -244,11 +244,13 @@ void DeviceLists::refuse(const Found& found) {
 
 std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& problem) {
   if (problem.set.size() == 0 || problem.firsts().size() == 0) return std::vector<ListedPair>();
+  const uint64_t largest = context_.device.capabilities().largest_buffer;
+  if ((problem.set.size() + problem.queries.size()) * sizeof(ListLook) > largest) return std::nullopt;
   begin(problem);
   write_points(problem);
   count();
   const Found counted = found();
-  if (counted.wide) return std::nullopt;
+  if (counted.wide || uint64_t(counted.pairs) * sizeof(Shift) > largest) return std::nullopt;
   if (counted.far) refuse(counted);
   if (counted.pairs == 0) return std::vector<ListedPair>();
   set_columns(LIST_WANTS_SECOND | LIST_WANTS_SHIFTS, counted.pairs);

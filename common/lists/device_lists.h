@@ -17,7 +17,8 @@ class DeviceLists {
  public:
   explicit DeviceLists(Device& device) : context_(device) {}
 
-  // Lists a problem that has been checked. None: the reach spans more images than the kernels can number.
+  // Lists a problem that has been checked. None: the reach spans more images than the kernels can number, or a buffer
+  // would be larger than the device allows.
   std::optional<std::vector<ListedPair>> list(const ListProblem& problem);
 
   // The steps of list(). begin() reads the offsets of a problem's sets, not their points: those go into points(), a

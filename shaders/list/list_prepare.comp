@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 // One group per system of up to LIST_PREPARED points and queries: measures it, plans its cells, bins its points and
 // writes what each looks through. For larger systems list_clear to list_look do so one after the other.
+// GLSL only from here: NVIDIA's OpenGL passes no member of a coherent buffer to a function
+#ifdef VULKAN
 #define LIST_ACCESS coherent
+#endif
+// until here
 #include "shaders/list/list_extremes.glsl"
 #include "shaders/list/list_place.glsl"
 

@@ -226,6 +226,7 @@ DeviceCapabilities capabilities_of(const DeviceLimits& limits) {
           .atomics_64 = limits.atomics_64,
           .float_atomics = limits.float_atomics,
           .overlaps_images = true,
+          .makes_lists = !limits.software,
           .bounds_block = 256,  // as in OpenGL
           .tensor_groups = limits.tensor_groups,
           .tensor_block = tensor_block};
