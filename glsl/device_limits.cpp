@@ -41,7 +41,8 @@ bool has_subgroups() {
   GLint invocations = 0, kinds = 0;
   glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
   glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &kinds);
-  return invocations >= 32 && (kinds & GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR) != 0;
+  constexpr GLint needed = GL_SUBGROUP_FEATURE_ARITHMETIC_BIT_KHR | GL_SUBGROUP_FEATURE_SHUFFLE_BIT_KHR;
+  return invocations >= 32 && (kinds & needed) == needed;
 }
 
 std::string out_of_memory(uint64_t bytes_asked) {

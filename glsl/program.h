@@ -18,7 +18,7 @@ namespace spherepair {
 struct Features {
   bool atomics_64 = false;     // GL_NV_shader_atomic_int64
   bool float_atomics = false;  // GL_NV_shader_atomic_float
-  bool subgroups = false;      // GL_KHR_shader_subgroup_arithmetic, with subgroups of 32 invocations or more
+  bool subgroups = false;      // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
 };
 
 // An OpenGL program. For a kernel it compiles the embedded shader of that name, after definitions of the group size,

@@ -17,7 +17,9 @@ std::string required(const std::string& extension, const char* macro) {
 std::string extension_lines(const Variant& variant, const KernelExtensions& extensions) {
   return (extensions.atomics_64.empty() ? "" : required(extensions.atomics_64, "ATOMICS_64")) +
          (variant.float_sums ? required(extensions.float_atomics, "FLOAT_SUMS") : "") +
-         (extensions.subgroups ? required("GL_KHR_shader_subgroup_arithmetic", "SUBGROUPS") : "");
+         (extensions.subgroups ? "#extension GL_KHR_shader_subgroup_shuffle : require\n" +
+                                     required("GL_KHR_shader_subgroup_arithmetic", "SUBGROUPS")
+                               : "");
 }
 
 }  // namespace

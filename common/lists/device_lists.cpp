@@ -2,93 +2,20 @@
 #include "common/lists/device_lists.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <utility>
 
 #include "common/lists/list_systems.h"
 
 namespace spherepair {
-namespace {
-
-ListRows rows_of(const std::array<Point3, 3>& vectors) {
-  ListRows rows;
-  for (size_t k = 0; k < 9; ++k) rows.of[k] = vectors[k / 3][k % 3];
-  return rows;
-}
-
-constexpr uint all_columns = LIST_WANTS_FIRST | LIST_WANTS_SECOND | LIST_WANTS_SHIFTS;
-
-double size_of_vector(const Point3& vector) { return std::hypot(vector[0], vector[1], vector[2]) * (1 + 0x1p-40); }
-
-ListSystem system_in(const Lattice& lattice) {
-  ListSystem system = {};
-  system.row = rows_of(lattice.axes());
-  system.dual = rows_of(lattice.dual());
-  for (size_t k = 0; k < 3; ++k) {
-    system.edge[k] = size_of_vector(lattice.axes()[k]);
-    system.span[k] = size_of_vector(lattice.dual()[k]);
-    system.periodic |= uint(lattice.box().periodic[k]) << k;
-  }
-  return system;
-}
-
-template <typename Item>
-bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0);
-}
-
-}  // namespace
 
 void DeviceLists::launch(Kernel kernel, uint block, uint64_t groups) {
   context_.launch({.kernel = kernel, .block = block, .groups = folded(groups)});
 }
 
-DeviceLists::Sent DeviceLists::told(const ListProblem& problem) {
-  Sent told;
-  ListState& state = told.state;
-  state.cutoff = problem.cutoff;
-  state.skin = problem.skin;
-  state.points = uint(problem.set.size());
-  state.queries = problem.asks ? uint(problem.queries.size()) : 0;
-  state.looking = uint(problem.firsts().size());
-  state.systems = uint(problem.boxes.size());
-  state.flags = (problem.asks ? LIST_ASKS : 0) | (problem.half ? LIST_HALF : 0) |
-                (problem.inclusive ? LIST_INCLUSIVE : 0) | (problem.self_pairs ? LIST_SELF_PAIRS : 0);
-  state.exclusions = uint(problem.exclusions.size());
-  while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
-  const uint64_t threads = std::max<uint64_t>(uint64_t(state.looking) << state.row_bits, 1);
-  state.mask_words = std::clamp(uint(LIST_MASK_TOTAL / threads), LIST_MASK_LEAST, LIST_MASK_WORDS);
-  while (state.order_bits < 5 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
-  for (size_t b = 0; b < problem.boxes.size(); ++b) {
-    ListSystem system = system_in(Lattice(problem.boxes[b], b));
-    system.first_point = uint(problem.set.offsets[b]);
-    system.end_point = uint(problem.set.offsets[b + 1]);
-    system.first_query = problem.asks ? uint(problem.queries.offsets[b]) : 0;
-    system.end_query = problem.asks ? uint(problem.queries.offsets[b + 1]) : 0;
-    system.first_cell = system.first_point + uint(b);  // a slot more than there are points
-    told.systems.push_back(system);
-  }
-  for (auto [first, second] : problem.exclusions) {
-    if (!problem.asks && first > second) std::swap(first, second);
-    told.exclusions.push_back({first, second});
-  }
-  std::ranges::sort(told.exclusions, {}, [](const uvec2& pair) { return uint64_t(pair.x) << 32 | pair.y; });
-  return told;
-}
-
-// Ignores what set_columns() sends.
-bool DeviceLists::knows(const Sent& told) const {
-  ListState state = sent_.state;
-  state.room = 0;
-  state.flags &= ~all_columns;
-  return std::memcmp(&state, &told.state, sizeof(ListState)) == 0 && same_bytes(told.systems, sent_.systems) &&
-         same_bytes(told.exclusions, sent_.exclusions);
-}
-
 bool DeviceLists::is_ready(const ListProblem& problem, uint wanted, int64_t room) const {
-  return knows(told(problem)) && (sent_.state.flags & all_columns) == wanted && sent_.state.room == room;
+  return device_problem(problem).equals(sent_) && (sent_.state.flags & list_columns) == wanted &&
+         sent_.state.room == room;
 }
 
 bool DeviceLists::grow(std::span<const std::pair<uint, uint64_t>> slots) {
@@ -123,8 +50,8 @@ bool DeviceLists::make_room() {
 }
 
 bool DeviceLists::begin(const ListProblem& problem) {
-  Sent told = DeviceLists::told(problem);
-  const bool known = knows(told);
+  DeviceProblem told = device_problem(problem);
+  const bool known = told.equals(sent_);
   if (!known) sent_ = std::move(told);
   if (!make_room() && known) return true;
   context_.buffers.write(SLOT_LIST_SYSTEM, sent_.systems);
@@ -140,7 +67,7 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
                                                {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
                                                {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}};
   const bool grown = grow(columns);
-  const uint flags = (sent_.state.flags & ~all_columns) | wanted;
+  const uint flags = (sent_.state.flags & ~list_columns) | wanted;
   if (!grown && sent_.state.flags == flags && sent_.state.room == room) return true;
   sent_.state.flags = flags;
   sent_.state.room = room;
@@ -148,12 +75,6 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
   context_.buffers.write(SLOT_LIST_STATE, &sent_.state.room, offsetof(ListState, room), sizeof(int64_t));
   context_.buffers.write(SLOT_LIST_STATE, &sent_.state.flags, offsetof(ListState, flags), sizeof(uint));
   return false;
-}
-
-bool DeviceLists::is_small() const {
-  return std::ranges::all_of(sent_.systems, [](const ListSystem& system) {
-    return system.end_point - system.first_point + system.end_query - system.first_query <= LIST_PREPARED;
-  });
 }
 
 void DeviceLists::prepare_small_systems() {
@@ -176,7 +97,7 @@ void DeviceLists::prepare_systems() {
 
 void DeviceLists::count() {
   if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
-  is_small() ? prepare_small_systems() : prepare_systems();
+  sent_.is_small() ? prepare_small_systems() : prepare_systems();
   const uint64_t row_tiles = ceil_div(looking(), LIST_TILE);
   launch(Kernel::list_count, LIST_BLOCK, looking_groups());
   if (row_tiles > 1) launch(Kernel::list_sums, SCAN_BLOCK, row_tiles);

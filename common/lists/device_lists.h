@@ -7,9 +7,8 @@
 #include <span>
 
 #include "common/device/context.h"
+#include "common/lists/device_problem.h"
 #include "common/lists/displacement.h"
-#include "common/lists/lattice.h"
-#include "common/shared/list.h"
 
 namespace spherepair {
 
@@ -44,19 +43,10 @@ class DeviceLists {
   Buffers& buffers() { return context_.buffers; }
 
  private:
-  // What begin() sends to the device.
-  struct Sent {
-    ListState state = {};
-    std::vector<ListSystem> systems;
-    std::vector<uvec2> exclusions;
-  };
-  static Sent told(const ListProblem& problem);
-  bool knows(const Sent& told) const;
   bool grow(std::span<const std::pair<uint, uint64_t>> slots);
   bool make_room();  // returns whether any buffer grew
   bool is_empty() const { return sent_.state.points == 0 || sent_.state.looking == 0; }
 
-  bool is_small() const;
   void prepare_small_systems();
   void prepare_systems();
   uint64_t looking_groups() const { return ceil_div(looking() << sent_.state.row_bits, LIST_BLOCK); }
@@ -64,7 +54,7 @@ class DeviceLists {
   std::vector<ListedPair> read_list(uint64_t pairs);
 
   DeviceContext context_;
-  Sent sent_;
+  DeviceProblem sent_;  // by begin() and set_columns()
 };
 
 }  // namespace spherepair

@@ -183,7 +183,8 @@ FN ListSystem with_images(ListSystem s) {
   EXACT double all = bits_double(0x3FF00000u, 0u);
   for (uint k = 0u; k < 3u; ++k) {
     EXACT double span = largest_reach(s) * s.span[k] + list_axis(s, k).slack;
-    s.images[k] = !is_periodic(s, k) ? 0u : span < bits_double(0x41300000u, 0u) ? uint(span) + 1u : 1048577u;  // 2^20
+    uint images = span < bits_double(0x41300000u, 0u) ? uint(span) + 1u : 1048577u;  // 2^20
+    s.images[k] = is_periodic(s, k) ? images : 0u;
     all = all * double(2u * s.images[k] + 1u);
   }
   s.key_bits = 0u;

@@ -18,15 +18,18 @@ shared uint ordered[LIST_ROOM];
 shared uint row_begin[LIST_ORDER_ROWS + 1u];  // less that of the first
 shared uint has_long_row;
 shared uint found;
-// GLSL only from here: without extensions, threads exchange values through shared memory
+// GLSL only from here: threads exchange values through registers where group_sum.glsl does
+#ifdef SUBGROUPS
+uint exchanged(uint value, uint mask) { return subgroupShuffleXor(value, mask); }
+#else
 shared uint passed[LIST_ORDER_BLOCK];
-
 uint exchanged(uint value, uint mask) {
   barrier();
   passed[gl_LocalInvocationID.x] = value;
   barrier();
   return passed[gl_LocalInvocationID.x ^ mask];
 }
+#endif
 // until here
 
 // What the keys of a row have in common.

@@ -33,7 +33,7 @@ struct Columns {
 };
 
 template <typename Number>
-sp_problem of_points(OnDevice<Number>& positions, double cutoff) {
+sp_problem of_array(OnDevice<Number>& positions, double cutoff) {
   sp_problem problem = {};
   problem.size = sizeof problem, problem.positions = positions.array(3), problem.cutoff = cutoff;
   return problem;
@@ -99,7 +99,7 @@ TEST_F(DeviceArraysOfCuda, FillWritesIntoTheCallersMemory) {
   OnDevice<float> positions(points);
   OnDevice<int32_t> first(6), second(6);
   OnDevice<int64_t> wide(6), offsets(4);
-  sp_problem problem = of_points(positions, 1.25);
+  sp_problem problem = of_array(positions, 1.25);
   sp_pairs pairs = into(first, second);
   pairs.offsets = offsets.array();
   ASSERT_EQ(sp_fill(context_, &problem, &pairs), SP_OK) << sp_message(context_);
@@ -138,7 +138,7 @@ TEST_F(DeviceArraysOfCuda, FillCanBeCapturedAndFollowsItsStream) {
   OnDevice<double> positions(std::vector<double>{0, 0, 0, 1, 0, 0, 2, 0, 0});
   OnDevice<int32_t> first(4), second(4);
   OnDevice<int64_t> found(1);
-  sp_problem problem = of_points(positions, 1.25);
+  sp_problem problem = of_array(positions, 1.25);
   problem.stream = stream;
   sp_pairs pairs = into(first, second);
   pairs.found = found.array();
@@ -180,7 +180,7 @@ TEST_F(DeviceArraysOfCuda, WrongArraysAreNamed) {
   std::vector<double> points = {0, 0, 0, 1, 0, 0};
   OnDevice<double> positions(points), bad(std::vector<double>{0, 0, 0, 1, INFINITY, 0}),
       radii(std::vector<double>{1, -1});
-  sp_problem problem = of_points(positions, 1);
+  sp_problem problem = of_array(positions, 1);
   EXPECT_EQ(refusal(problem, SP_OK), "");
   problem.positions = bad.array(3);
   EXPECT_EQ(refusal(problem, SP_E_NONFINITE), "positions[1].y is inf");

@@ -1,53 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Lists of pairs on every backend against all points and images tried one by one.
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "common/lists/device_lists.h"
-#include "common/lists/pair_list.h"
+#include "tests/lists/lists_test.h"
 #include "tests/oracle/list_oracle.h"
-#include "tests/support/backends.h"
 
 namespace spherepair {
 namespace {
-
-std::string text_of(const ListedPair& pair) {
-  return fmt::format("({}, {}, [{}, {}, {}])", pair.first, pair.second, pair.shift[0], pair.shift[1], pair.shift[2]);
-}
-
-// The first pair that one of the two lists lacks, or has in another place.
-std::string first_difference(const std::vector<ListedPair>& given, const std::vector<ListedPair>& wanted) {
-  const auto [a, b] = std::ranges::mismatch(given, wanted);
-  if (a == given.end() && b == wanted.end()) return "";
-  return fmt::format("row {}: {}, not {}; {} rows, not {}", a - given.begin(), a == given.end() ? "end" : text_of(*a),
-                     b == wanted.end() ? "end" : text_of(*b), given.size(), wanted.size());
-}
-
-// In software OpenGL and Vulkan also run the kernels that CUDA mirrors; they must give the same list.
-class Lists : public BackendTest {
- protected:
-  std::vector<ListedPair> list(const ListProblem& problem) {
-    std::vector<ListedPair> all = list_pairs(backend(), problem);
-    Device* const device = backend().device();
-    if (!device || !backend().info().software) return all;
-    if (const auto made = DeviceLists(*device).list(problem)) {
-      EXPECT_EQ(first_difference(*made, all), "") << "kernels of lists, not the search";
-    }
-    return all;
-  }
-};
-
-ListProblem of_points(std::vector<Point3> points, double cutoff, const ListBox& box = {}) {
-  ListProblem problem;
-  problem.set.offsets = {0, points.size()};
-  problem.set.points = std::move(points);
-  problem.cutoff = cutoff;
-  problem.boxes = {box};
-  return problem;
-}
-
-ListBox cube(double edge) { return {{{{edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}}, {true, true, true}}; }
 
 TEST_P(Lists, EqualThoseOfAllPointsAndImages) {
   Random random(59);
@@ -165,47 +124,6 @@ TEST_P(Lists, OfManySystemsAreThoseOfEach) {
   }
   EXPECT_GT(wanted.size(), 5000u);
   EXPECT_EQ(first_difference(list(all), wanted), "");
-}
-
-// One group of threads prepares a system of up to LIST_PREPARED points and queries, several kernels a larger one.
-TEST_P(Lists, SystemsOfAnySizeAreBinned) {
-  Random random(66);
-  const auto add = [&](PointSet& set, uint64_t points) {
-    for (uint64_t i = 0; i < points; ++i) {
-      set.points.push_back({random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)});
-      set.radii.push_back(random.uniform(0, 0.1));
-    }
-    set.offsets.push_back(set.size());
-  };
-  const ListBox tilted = {{{{7, 0, 0}, {2, 6, 0}, {-1, 3, 5}}}, {true, true, false}};
-  for (const uint64_t points : {2047, 2048, 2049, 5000})
-    for (const bool asks : {false, true}) {
-      ListProblem problem = of_points({}, 0, tilted);
-      problem.skin = 0.6;
-      problem.set.offsets = {0};
-      add(problem.set, points);
-      add(problem.set, 100);
-      problem.boxes.push_back({});
-      if ((problem.asks = asks)) problem.queries.offsets = {0}, add(problem.queries, 1), add(problem.queries, 30);
-      EXPECT_EQ(first_difference(list(problem), list_by_search(backend(), problem)), "") << points << ", " << asks;
-    }
-}
-
-// All points are neighbours of all others.
-TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
-  Random random(64);
-  const auto along = [&] { return random.between(0, 31) / 8.0; };
-  for (const uint64_t points : {60, 300, 513, 700}) {
-    ListProblem problem = of_points({}, 8);
-    for (uint64_t i = 0; i < points; ++i) problem.set.points.push_back({along(), along(), along()});
-    problem.set.offsets = {0, points};
-    EXPECT_EQ(first_difference(list(problem), list_by_integers(problem, 0)), "") << points;
-  }
-  ListProblem images = of_points({{0, 0, 0}, {0.5, 0.25, 0}, {0.75, 0, 0.5}}, 6.25, cube(1));
-  for (const bool half : {false, true}) {
-    images.half = half;
-    EXPECT_EQ(first_difference(list(images), list_by_integers(images, 8)), "") << half;
-  }
 }
 
 TEST_P(Lists, VectorsAndDistancesAreThoseOfTheirPairs) {

@@ -102,7 +102,8 @@ FloatControls float_controls(const VkPhysicalDeviceFloatControlsProperties& said
 bool has_subgroups(const VkPhysicalDeviceSubgroupProperties& said, const VkPhysicalDeviceProperties& properties) {
   return properties.vendorID == nvidia && said.subgroupSize >= 32 &&
          (said.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) &&
-         (said.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT);
+         (said.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) &&
+         (said.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT);
 }
 
 void read_properties(const Calls& vk, VkPhysicalDevice device, const std::set<std::string>& extensions,

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Lists of systems and rows of any size, which kernels treat in different ways.
+#include "tests/lists/lists_test.h"
+#include "tests/oracle/list_oracle.h"
+
+namespace spherepair {
+namespace {
+
+// One group of threads prepares a system of up to LIST_PREPARED points and queries, several kernels a larger one.
+TEST_P(Lists, SystemsOfAnySizeAreBinned) {
+  Random random(66);
+  const auto add = [&](PointSet& set, uint64_t points) {
+    for (uint64_t i = 0; i < points; ++i) {
+      set.points.push_back({random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)});
+      set.radii.push_back(random.uniform(0, 0.1));
+    }
+    set.offsets.push_back(set.size());
+  };
+  const ListBox tilted = {{{{7, 0, 0}, {2, 6, 0}, {-1, 3, 5}}}, {true, true, false}};
+  for (const uint64_t points : {2047, 2048, 2049, 5000})
+    for (const bool asks : {false, true}) {
+      ListProblem problem = of_points({}, 0, tilted);
+      problem.skin = 0.6;
+      problem.set.offsets = {0};
+      add(problem.set, points);
+      add(problem.set, 100);
+      problem.boxes.push_back({});
+      if ((problem.asks = asks)) problem.queries.offsets = {0}, add(problem.queries, 1), add(problem.queries, 30);
+      EXPECT_EQ(first_difference(list(problem), list_by_search(backend(), problem)), "") << points << ", " << asks;
+    }
+}
+
+// All points are neighbours of all others.
+TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
+  Random random(64);
+  const auto along = [&] { return random.between(0, 31) / 8.0; };
+  for (const uint64_t points : {60, 300, 513, 700}) {
+    ListProblem problem = of_points({}, 8);
+    for (uint64_t i = 0; i < points; ++i) problem.set.points.push_back({along(), along(), along()});
+    problem.set.offsets = {0, points};
+    EXPECT_EQ(first_difference(list(problem), list_by_integers(problem, 0)), "") << points;
+  }
+  ListProblem images = of_points({{0, 0, 0}, {0.5, 0.25, 0}, {0.75, 0, 0.5}}, 6.25, cube(1));
+  for (const bool half : {false, true}) {
+    images.half = half;
+    EXPECT_EQ(first_difference(list(images), list_by_integers(images, 8)), "") << half;
+  }
+}
+
+}  // namespace
+}  // namespace spherepair
