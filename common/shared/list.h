@@ -18,11 +18,12 @@
 #define LIST_PREPARED 2048u        // elements of a system that one group prepares, ...
 #define LIST_PREPARE_BLOCK 128     // ... of so many threads
 #define LIST_RANKED 64u            // keys of a row, at most, that find their places by counting smaller ones
-#define LIST_CHUNK 256u            // keys of a longer row that 32 threads sort in registers
-#define LIST_ROOM 1024u            // keys of a longer row that a group sorts at a time
-#define LIST_EACH 4u               // elements of a thread of list_measure
-#define LIST_TILE 2048u            // rows that a group of list_sums and of list_scan adds up
-#define LIST_ASKS 1u               // flags of ListState: queries look, not the points
+#define LIST_CHUNK_BITS 8u
+#define LIST_CHUNK 256u  // keys of a longer row that 32 threads sort in registers: 2^LIST_CHUNK_BITS
+#define LIST_ROOM 1024u  // keys of a longer row that a group sorts at a time
+#define LIST_EACH 4u     // elements of a thread of list_measure
+#define LIST_TILE 2048u  // rows that a group of list_sums and of list_scan adds up
+#define LIST_ASKS 1u     // flags of ListState: queries look, not the points
 #define LIST_HALF 2u
 #define LIST_INCLUSIVE 4u
 #define LIST_SELF_PAIRS 8u

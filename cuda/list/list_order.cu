@@ -102,12 +102,13 @@ __device__ inline void sort_chunk(uint begin, uint count) {
   }
   __syncthreads();
 #pragma unroll  // CUDA only: so that `own` stays in registers
-  for (uint size = 2u; size <= LIST_CHUNK; size *= 2u) {
+  for (uint bits = 1u; bits <= LIST_CHUNK_BITS; ++bits) {
 #pragma unroll  // CUDA only: as above
-    for (uint stride = size / 2u; stride != 0u; stride /= 2u) {
+    for (uint down = 1u; down <= bits; ++down) {
+      uint stride = 1u << (bits - down);
 #pragma unroll  // CUDA only: as above
       for (uint r = 0u; r < KEYS_EACH; ++r) {
-        bool ascends = ((lane * KEYS_EACH + r) & size) == 0u;
+        bool ascends = ((lane * KEYS_EACH + r) >> bits & 1u) == 0u;
         if (stride >= KEYS_EACH) {
           uint other = exchanged(own[r], stride / KEYS_EACH);
           bool first = (lane & (stride / KEYS_EACH)) == 0u;

@@ -114,10 +114,11 @@ void sort_chunk(uint begin, uint count) {
     own[r] = k < count ? keys[k] : ~0u;
   }
   barrier();
-  for (uint size = 2u; size <= LIST_CHUNK; size *= 2u) {
-    for (uint stride = size / 2u; stride != 0u; stride /= 2u) {
+  for (uint bits = 1u; bits <= LIST_CHUNK_BITS; ++bits) {
+    for (uint down = 1u; down <= bits; ++down) {
+      uint stride = 1u << (bits - down);
       for (uint r = 0u; r < KEYS_EACH; ++r) {
-        bool ascends = ((lane * KEYS_EACH + r) & size) == 0u;
+        bool ascends = ((lane * KEYS_EACH + r) >> bits & 1u) == 0u;
         if (stride >= KEYS_EACH) {
           uint other = exchanged(own[r], stride / KEYS_EACH);
           bool first = (lane & (stride / KEYS_EACH)) == 0u;
