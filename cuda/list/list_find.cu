@@ -37,9 +37,9 @@ __device__ inline bool find_pairs(const KernelBuffers& buf, ListLook look, uint 
   bool all = lists_all(buf);
   uint threads = buf.list_state[0].looking * lanes;
   uint word = 0u;
-  uint length = length_to_write(buf, look.i);
+  uint length = buf.row_length[look.i];
   uint undecided = 0u;
-  uint z = length == 0u ? look.along_z : 0u;
+  uint z = 0u;
   for (uint y = lane; true; y += lanes) {
     for (; y >= look.along_y; y -= look.along_y) ++z;
     if (z >= look.along_z) return undecided != 0u;
@@ -65,7 +65,7 @@ __device__ inline bool find_pairs(const KernelBuffers& buf, ListLook look, uint 
 }
 
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffers buf) {
-  if (!is_right(buf)) return;
+  if (!is_right(buf) || !has_room(buf)) return;
   uint thread = threadIdx.x;
   uint bits = buf.list_state[0].row_bits;
   uint k = (group_index(p) * LIST_BLOCK + thread) >> bits;

@@ -198,9 +198,8 @@ __device__ inline void order_long_row(const KernelBuffers& buf, uint i, uint fla
 __global__ void __launch_bounds__(LIST_ORDER_BLOCK) list_order(Params p, KernelBuffers buf) {
   uint looking = buf.list_state[0].looking;
   uint first = group_index(p) << buf.list_state[0].order_bits;
-  if (first >= looking || !is_right(buf)) return;
+  if (first >= looking || !is_right(buf) || !has_room(buf)) return;
   uint rows = min(1u << buf.list_state[0].order_bits, looking - first);
-  if (buf.list_begin[first + rows] > buf.list_state[0].room) return;
   uint thread = threadIdx.x;
   if (thread == 0u) has_long_row = 0u;
   __syncthreads();

@@ -37,9 +37,9 @@ bool find_pairs(ListLook look, uint lane, uint lanes, uint thread, uint group_ro
   bool all = lists_all();
   uint threads = list_state[0].looking * lanes;
   uint word = 0u;
-  uint length = length_to_write(look.i);
+  uint length = row_length[look.i];
   uint undecided = 0u;
-  uint z = length == 0u ? look.along_z : 0u;
+  uint z = 0u;
   for (uint y = lane; true; y += lanes) {
     for (; y >= look.along_y; y -= look.along_y) ++z;
     if (z >= look.along_z) return undecided != 0u;
@@ -65,7 +65,7 @@ bool find_pairs(ListLook look, uint lane, uint lanes, uint thread, uint group_ro
 }
 
 void main() {
-  if (!is_right()) return;
+  if (!is_right() || !has_room()) return;
   uint thread = gl_LocalInvocationID.x;
   uint bits = list_state[0].row_bits;
   uint k = (group_index() * LIST_BLOCK + thread) >> bits;

@@ -206,9 +206,8 @@ void order_long_row(uint i, uint flags) {
 void main() {
   uint looking = list_state[0].looking;
   uint first = group_index() << list_state[0].order_bits;
-  if (first >= looking || !is_right()) return;
+  if (first >= looking || !is_right() || !has_room()) return;
   uint rows = min(1u << list_state[0].order_bits, looking - first);
-  if (list_begin[first + rows] > list_state[0].room) return;
   uint thread = gl_LocalInvocationID.x;
   if (thread == 0u) has_long_row = 0u;
   barrier();

@@ -168,7 +168,9 @@ TEST_F(DeviceArraysOfCuda, FillCanBeCapturedAndFollowsItsStream) {
   EXPECT_EQ(replayed({0, 0, 0, 5, 0, 0, 6, 0, 0}), 2);
   EXPECT_EQ(first.read()[0], 1);
   EXPECT_EQ(second.read()[0], 2);
+  const std::vector<int32_t> kept = first.read();
   EXPECT_EQ(replayed({0, 0, 0, 0.5, 0, 0, 1, 0, 0}), 6) << "more than there is room for";
+  EXPECT_EQ(first.read(), kept) << "so no pair is written";
   EXPECT_EQ(replayed({0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 1, 0, 0}), -2);
   EXPECT_EQ(replayed({0, 0, 0, 1, 0, 0, 2, 0, 0}), 4);
   cudaGraphExecDestroy(made);
