@@ -162,13 +162,14 @@ int compare_command(const CommandLine& line, const CompareOptions& options) {
   }
   const double seconds = seconds_since(start);
   record.set("verdict", "equal");
-  const std::string apis = api_verdict(session, study.contests);
+  const std::vector<std::string> apis = api_verdicts(session, study.contests);
   record.set("seconds", seconds);
   record.set("apis", apis);
   record.write(study);
   fmt::print("\nEqual on {}: {}, in {:.0f} s\n", names_of(session), session.comparisons.text(), seconds);
   if (session.backends().size() == 1) fmt::print("Only one backend ran: no other cross-checked its results.\n");
-  if (!session.devices().empty()) fmt::print("{}\n", wrapped(apis, "", "  "));
+  if (!session.devices().empty())
+    for (const std::string& api : apis) fmt::print("{}\n", wrapped(api, "", "  "));
   fmt::print("{}Results: {}\n", load.text(session), folder.string());
   return kOk;
 }

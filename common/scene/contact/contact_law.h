@@ -10,7 +10,7 @@ struct Radii {
   float smallest = 0, largest = 0;
 };
 
-double sphere_mass(double radius);  // kg; all spheres are of water
+double sphere_mass(double radius);  // kg, of water; see times_water for another density
 
 // Returns the energy in joules that a contact with this overlap and reach stores.
 double contact_energy(ContactLaw law, double stiffness, double overlap, double reach);
