@@ -40,7 +40,8 @@ bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
 void share_out(ListState& state) {
   while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
   const uint64_t threads = std::max<uint64_t>(uint64_t(state.looking) << state.row_bits, 1);
-  state.mask_words = std::clamp(uint(LIST_MASK_TOTAL / threads), LIST_MASK_LEAST, LIST_MASK_WORDS);
+  const auto indexable = uint(~0u / threads);  // all words have indices of 32 bits
+  state.mask_words = std::min(std::clamp(uint(LIST_MASK_TOTAL / threads), LIST_MASK_LEAST, LIST_MASK_WORDS), indexable);
   while (state.order_bits < 5 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
 }
 
@@ -85,9 +86,9 @@ bool DeviceProblem::equals(const DeviceProblem& other) const {
 }
 
 bool DeviceProblem::is_small() const {
-  return std::ranges::all_of(systems, [](const ListSystem& system) {
-    return system.end_point - system.first_point + system.end_query - system.first_query <= LIST_PREPARED;
-  });
+  return systems.size() <= LIST_PREPARED_SYSTEMS && std::ranges::all_of(systems, [](const ListSystem& system) {
+           return system.end_point - system.first_point + system.end_query - system.first_query <= LIST_PREPARED;
+         });
 }
 
 }  // namespace spherepair

@@ -17,7 +17,7 @@ struct DeviceProblem {
   std::vector<uvec2> exclusions;
 
   bool equals(const DeviceProblem& other) const;  // but for the columns: state.room and LIST_WANTS_*
-  bool is_small() const;                          // whether list_prepare can take every system
+  bool is_small() const;                          // whether list_prepare takes every system
 };
 
 DeviceProblem device_problem(const ListProblem& problem);
