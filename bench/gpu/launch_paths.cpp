@@ -18,7 +18,7 @@ bool are_overlapping_steps(const WorkCounts& made) { return are_steps(made) && m
 bool are_early_graphs_of_steps(const WorkCounts& made) { return are_steps(made) && made.early > 0; }
 bool is_one_launch(const WorkCounts& made) { return made.launches == 1 && made.steps > 1; }
 
-// Paths that overlap the previous step exist only for the grid: the overlapping launch is a part of it.
+// Only the grid has a launch that can overlap the previous step, so only the grid is timed on paths that overlap.
 constexpr LaunchPath paths[] = {
     {.name = "waited",
      .summary = "each dispatch behind all barriers, and the host waits for it",

@@ -86,7 +86,7 @@ uint64_t behind(const FileBytes& file, const PlyElement& element, uint64_t at, u
   return at + count * item_bytes;
 }
 
-// The offset after an element. Sets the places of the columns that belong to its properties; null: not read.
+// Returns the offset after an element, and tells the column of each property where its numbers lie; null: not read.
 uint64_t pass_over(const FileBytes& file, const PlyElement& element, uint64_t at,
                    std::span<NumberColumn* const> columns) {
   uint64_t row_bytes = 0;

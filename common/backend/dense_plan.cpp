@@ -15,8 +15,8 @@ double cells_along(double length, double side) { return std::floor(length / side
 
 uint64_t slot_limit(uint64_t n) { return std::max(slots_per_sphere * n, least_slots); }
 
-// Returns the smallest side, in metres, for which the number of cells stays within the limit and a cell is longer than
-// the largest diameter, so that a sphere reaches less than one cell. If there is none, one cell holds everything.
+// Returns the smallest side of a cell, in metres, that is longer than the largest diameter and needs no more cells than
+// the limit. A sphere then reaches less than one cell. If no such side exists, one cell holds all spheres.
 double dense_side(const Extent& extent, uint64_t n) {
   const double limit = double(slot_limit(n));
   const double longest = std::max({extent.length(0), extent.length(1), extent.length(2)});

@@ -36,7 +36,7 @@ bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0);
 }
 
-// How many threads look for a row's pairs, how many rows a group orders, and what each thread may keep.
+// Sets how many threads look for the pairs of a row, how many rows a group sorts, and how many words a thread keeps.
 void share_out(ListState& state) {
   while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
   const uint64_t threads = std::max<uint64_t>(uint64_t(state.looking) << state.row_bits, 1);

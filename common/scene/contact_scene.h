@@ -28,7 +28,7 @@ struct ContactChoice {
 // Sets the scene's contacts, motion and time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
-// Returns the factor from forces and energies of spheres of water to the scene's.
+// Returns the density of the spheres in that of water. Forces and energies grow by this factor.
 inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }
 
 std::optional<WallBox> box_of(const Scene& scene);  // the box of its walls

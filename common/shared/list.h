@@ -7,22 +7,22 @@
 
 #include "common/shared/layout.h"
 
-#define LIST_BLOCK 128               // group size where threads look through cells
-#define LIST_THREADS 524288u         // threads that look, at least, unless 32 already share each row
-#define LIST_MASK_WORDS 32u          // that a thread may have for the points that it finds, ...
-#define LIST_MASK_TOTAL 33554432u    // ... or fewer where all threads would have more than this, ...
-#define LIST_MASK_LEAST 9u           // ... but not fewer than the ranges of a point with few neighbours
-#define LIST_ORDER_BLOCK 64          // group size of list_order, ...
-#define LIST_ORDER_ROWS 32u          // ... which orders so many rows of the list, ...
-#define LIST_ORDER_GROUPS 4096u      // ... or fewer where this gives so many groups
-#define LIST_PREPARED 2048u          // elements of a system that one group prepares, ...
-#define LIST_PREPARE_BLOCK 128       // ... of so many threads, ...
-#define LIST_PREPARED_SYSTEMS 4096u  // ... in lists of up to so many systems: groups of more wait for each other
-#define LIST_RANKED 64u              // keys of a row, at most, that find their places by counting smaller ones
+#define LIST_BLOCK 128               // group size of list_count and list_find
+#define LIST_THREADS 524288u         // these start at least so many threads, with up to 32 for a row of the list
+#define LIST_MASK_WORDS 32u          // words, at most, in which a thread of list_count keeps what it finds, ...
+#define LIST_MASK_TOTAL 33554432u    // ... words of all threads, above which each thread gets fewer, ...
+#define LIST_MASK_LEAST 9u           // ... and words that a thread gets in any case
+#define LIST_ORDER_BLOCK 64          // group size of list_order
+#define LIST_ORDER_ROWS 32u          // rows, at most, that a group of list_order sorts; ...
+#define LIST_ORDER_GROUPS 4096u      // ... fewer if there would be fewer groups than this
+#define LIST_PREPARED 2048u          // points and queries, at most, of a system that one group of list_prepare prepares
+#define LIST_PREPARE_BLOCK 128       // its group size
+#define LIST_PREPARED_SYSTEMS 4096u  // systems, at most, for which list_prepare is launched
+#define LIST_RANKED 64u              // keys, at most, of a row in which each key's place is found by counting
 #define LIST_CHUNK_BITS 8u
-#define LIST_CHUNK 256u  // keys of a longer row that 32 threads sort in registers: 2^LIST_CHUNK_BITS
-#define LIST_ROOM 1024u  // keys of a longer row that a group sorts at a time
-#define LIST_EACH 4u     // elements of a thread of list_measure
+#define LIST_CHUNK 256u  // keys that 32 threads sort in registers: 2^LIST_CHUNK_BITS
+#define LIST_ROOM 1024u  // keys that a group of list_order has room for in shared memory
+#define LIST_EACH 4u     // points and queries that a thread of list_measure measures
 #define LIST_TILE 2048u  // rows that a group of list_sums and of list_scan adds up
 #define LIST_ASKS 1u     // flags of ListState: queries look, not the points
 #define LIST_HALF 2u
@@ -62,7 +62,7 @@ struct ListSystem {
 struct ListState {
   uint wrong, far;  // ~index of the first point that is not listed, or too far from its box
   uint wide;        // not 0: keys have no room for the images within reach
-  uint mask_words;  // of a thread of list_count, for what it finds in its first ranges
+  uint mask_words;  // in which a thread of list_count keeps the points that it finds, a word for 32 points
   double cutoff, skin;
   int64_t room;                            // pairs that the columns have room for
   uint points, queries, looking, systems;  // queries stand behind the points; looking: all that look
@@ -196,9 +196,10 @@ FN ListSystem with_images(ListSystem s) {
 
 // The cells of a system, from its extremes. With u = 2^-53: a coordinate, and a wrapped point's distance from another,
 // are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers. In float32 and scaled, five
-// numbers below 1 are rounded along each axis, each by at most 2^-25: a distance by less than 2^-21. So near its reach
-// c <= r a distance d is off by e at most, and d^2 - c^2 by less than e (2r + e), besides seven roundings of squares
-// and reaches, each by at most 2^-24 (r + e)^2, of which 2^-20 (r + e)^2 covers twice as much.
+// numbers are rounded along each axis: each is below 1 and off by 2^-25 at most, three of a query below 2 and off
+// by 2^-24. That moves a distance by less than 2^-21. So near its reach c <= r a distance d is off by e at most, and
+// d^2 - c^2 by less than e (2r + e). Squares and reaches are rounded seven times, each time by 2^-24 (r + e)^2 at most;
+// 2^-20 (r + e)^2 covers twice as much.
 FN ListSystem list_planned(ListSystem s, ListState state) {
   double zero = bits_double(0u, 0u);
   EXACT double reach = state.cutoff + state.skin + bound_above(s.extreme[LIST_RADIUS]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per point: counts it in its cell, and notes the cell and how many points it had before.
+// One thread per point: adds it to the count of its cell, and stores the cell and the point's place in it.
 #include "cuda/list/list.cuh"
 
 namespace spherepair {

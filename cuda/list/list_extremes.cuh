@@ -29,7 +29,7 @@ __device__ inline Extremes noted(const KernelBuffers& buf, Extremes own, uint s,
   return own;
 }
 
-// Wraps along an axis that is periodic; the number of boxes.
+// Returns by how many boxes a point is wrapped along an axis; 0 if the axis is not periodic.
 __device__ inline int boxes_along(const KernelBuffers& buf, uint i, uint s, uint k) {
   if ((buf.list_system[s].periodic >> k & 1u) == 0u) return 0;
   double at = list_coordinate(buf.list_system[s].dual, k, buf.list_given[i]);

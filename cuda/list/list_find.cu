@@ -30,8 +30,8 @@ __device__ inline void write_keys(const KernelBuffers& buf, ListLook look, CellR
   }
 }
 
-// Writes the pairs that list_count has kept, and looks for the others. Where `exact`, writes only those of the others
-// that float32 leaves undecided. Returns whether there are any.
+// Writes the pairs in the masks of list_count, and looks for those that the masks had no room for. With `exact` it
+// writes only pairs outside the masks that float32 leaves undecided. Returns whether there may be such pairs.
 __device__ inline bool find_pairs(const KernelBuffers& buf, ListLook look, uint lane, uint lanes, uint thread,
                                   uint group_row, bool exact) {
   bool all = lists_all(buf);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One group per LIST_ORDER_ROWS rows, or fewer of few: sorts the keys of each row, and writes its columns. If all rows
-// are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's place is
-// the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of keys.
+// One group per 2^order_bits rows, LIST_ORDER_ROWS at most: sorts the keys of each row, and writes its columns. If all
+// rows are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's
+// place is the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of
+// keys.
 #include "cuda/list/list_length.cuh"
 
 namespace spherepair {
@@ -68,7 +69,7 @@ __device__ inline uint row_of_key(uint k) {
   return row;
 }
 
-// Of rows from..to-1 of the group.
+// Sorts rows from..to-1 of the group, and writes their columns.
 __device__ inline void order_short_rows(const KernelBuffers& buf, uint first, uint from, uint to, uint flags) {
   uint64_t begin = uint64_t(buf.list_begin[first]) + uint64_t(row_begin[from]);
   uint before = row_begin[from];
@@ -92,7 +93,7 @@ __device__ inline void order_short_rows(const KernelBuffers& buf, uint first, ui
   __syncthreads();
 }
 
-// Bitonic; thread by thread the keys ascend.
+// Sorts a chunk of keys by 32 threads, bitonic. Each then holds KEYS_EACH consecutive keys.
 __device__ inline void sort_chunk(uint begin, uint count) {
   uint lane = threadIdx.x % 32u;
   uint own[KEYS_EACH];
@@ -126,7 +127,7 @@ __device__ inline void sort_chunk(uint begin, uint count) {
     if (begin < count) keys[begin + lane * KEYS_EACH + r] = own[r];
 }
 
-// How many keys of a sorted chunk are smaller.
+// Returns how many keys of a sorted chunk are smaller.
 __device__ inline uint smaller_in_chunk(uint chunk, uint key) {
   uint rank = 0u;
   for (uint step = LIST_CHUNK / 2u; step != 0u; step /= 2u)
@@ -153,7 +154,7 @@ __device__ inline void write_sorted(const KernelBuffers& buf, uint i, uint64_t b
   __syncthreads();
 }
 
-// Keeps the keys from low to below high, of which there is room for LIST_ROOM; the number of all.
+// Copies the keys low <= key < high to shared memory, LIST_ROOM at most. Returns how many there are.
 __device__ inline uint keys_between(const KernelBuffers& buf, uint64_t begin, uint length, uint64_t low,
                                     uint64_t high) {
   __syncthreads();

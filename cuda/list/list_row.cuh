@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-// A row of cells along x: what is left of it after the range begin <= k < end, and that range's image.
+// A row of cells along x. The binned points begin <= k < end are its current range, all in one image.
 struct CellRow {
   uint first, x, left;  // the cell at x = 0 of the system; the next cell, and how many
   uint begin, end;
@@ -32,7 +32,7 @@ __device__ inline CellRow row_at(const KernelBuffers& buf, ListLook look, uint y
   return row;
 }
 
-// Goes on to the next range: of the next image.
+// Moves on to the next range, which lies in the next image.
 __device__ inline CellRow next_range(const KernelBuffers& buf, ListLook look, CellRow row) {
   uint cells = min(row.left, buf.list_system[look.system].cells[0] - row.x);
   row.begin = buf.cell[row.first + row.x];
@@ -70,7 +70,7 @@ __device__ inline bool is_excluded(const KernelBuffers& buf, uint i, uint j) {
   return false;
 }
 
-// Whether any pair within reach is listed, but (i, i, 0).
+// Whether the list has every pair within reach except (i, i, 0).
 __device__ inline bool lists_all(const KernelBuffers& buf) {
   return !has_flag(buf, LIST_HALF | LIST_SELF_PAIRS) && buf.list_state[0].exclusions == 0u;
 }
@@ -93,8 +93,8 @@ __device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j,
                            buf.list_state[0].cutoff, buf.list_state[0].skin, has_flag(buf, LIST_INCLUSIVE));
 }
 
-// A bit for each of up to 32 binned points, the last one lowest: in x those that float32 can tell are within reach, in
-// y also those that it leaves undecided.
+// Tests up to 32 binned points in float32. Each has a bit, the last point the lowest: x has those that are within reach
+// for certain, y also those that float32 leaves undecided.
 __device__ inline uvec2 filtered(const KernelBuffers& buf, ListLook look, CellRow row, uint begin, uint end,
                                  float tolerance) {
   vec4 from = seen_from(buf, look, row.image);
@@ -116,8 +116,8 @@ __device__ inline uvec2 filtered(const KernelBuffers& buf, ListLook look, CellRo
   return bits;
 }
 
-// The bits of the points that the list has as pairs of the point that looks; in y not 0 if some are undecided. Where
-// `exact`, these are decided on the numbers as given.
+// Returns in x the bits of the points that the list pairs with the point that looks, in y those that float32 leaves
+// undecided. With `exact` these are decided on the numbers as given; otherwise x lacks them.
 __device__ inline uvec2 listed_points(const KernelBuffers& buf, ListLook look, CellRow row, uint begin, uint end,
                                       bool all, bool exact) {
   uvec2 bits = filtered(buf, look, row, begin, end, buf.list_system[look.system].tolerance);

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per point: counts it in its cell, and notes the cell and how many points it had before.
+// One thread per point: adds it to the count of its cell, and stores the cell and the point's place in it.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict buffer CellBuffer { uint cell[]; };

@@ -25,7 +25,7 @@ Extremes noted(Extremes own, uint s, uint which, uint value) {
   return own;
 }
 
-// Wraps along an axis that is periodic; the number of boxes.
+// Returns by how many boxes a point is wrapped along an axis; 0 if the axis is not periodic.
 int boxes_along(uint i, uint s, uint k) {
   if ((list_system[s].periodic >> k & 1u) == 0u) return 0;
   double at = list_coordinate(list_system[s].dual, k, list_given[i]);

@@ -31,8 +31,8 @@ void write_keys(ListLook look, CellRow row, uint end, uint listed, uint length, 
   }
 }
 
-// Writes the pairs that list_count has kept, and looks for the others. Where `exact`, writes only those of the others
-// that float32 leaves undecided. Returns whether there are any.
+// Writes the pairs in the masks of list_count, and looks for those that the masks had no room for. With `exact` it
+// writes only pairs outside the masks that float32 leaves undecided. Returns whether there may be such pairs.
 bool find_pairs(ListLook look, uint lane, uint lanes, uint thread, uint group_row, bool exact) {
   bool all = lists_all();
   uint threads = list_state[0].looking * lanes;

@@ -1,8 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per LIST_ORDER_ROWS rows, or fewer of few: sorts the keys of each row, and writes its columns. If all rows
-// are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's place is
-// the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of keys.
+// One group per 2^order_bits rows, LIST_ORDER_ROWS at most: sorts the keys of each row, and writes its columns. If all
+// rows are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's
+// place is the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of
+// keys.
 #include "shaders/list/list_length.glsl"
 
 layout(std430, binding = SLOT_LIST_KEY) restrict readonly buffer ListKeyBuffer { uint list_keys[]; };
@@ -81,7 +82,7 @@ uint row_of_key(uint k) {
   return row;
 }
 
-// Of rows from..to-1 of the group.
+// Sorts rows from..to-1 of the group, and writes their columns.
 void order_short_rows(uint first, uint from, uint to, uint flags) {
   uint64_t begin = uint64_t(list_begin[first]) + uint64_t(row_begin[from]);
   uint before = row_begin[from];
@@ -105,7 +106,7 @@ void order_short_rows(uint first, uint from, uint to, uint flags) {
   barrier();
 }
 
-// Bitonic; thread by thread the keys ascend.
+// Sorts a chunk of keys by 32 threads, bitonic. Each then holds KEYS_EACH consecutive keys.
 void sort_chunk(uint begin, uint count) {
   uint lane = gl_LocalInvocationID.x % 32u;
   uint own[KEYS_EACH];
@@ -136,7 +137,7 @@ void sort_chunk(uint begin, uint count) {
     if (begin < count) keys[begin + lane * KEYS_EACH + r] = own[r];
 }
 
-// How many keys of a sorted chunk are smaller.
+// Returns how many keys of a sorted chunk are smaller.
 uint smaller_in_chunk(uint chunk, uint key) {
   uint rank = 0u;
   for (uint step = LIST_CHUNK / 2u; step != 0u; step /= 2u)
@@ -162,7 +163,7 @@ void write_sorted(uint i, uint64_t begin, uint count, uint flags) {
   barrier();
 }
 
-// Keeps the keys from low to below high, of which there is room for LIST_ROOM; the number of all.
+// Copies the keys low <= key < high to shared memory, LIST_ROOM at most. Returns how many there are.
 uint keys_between(uint64_t begin, uint length, uint64_t low, uint64_t high) {
   barrier();
   if (gl_LocalInvocationID.x == 0u) found = 0u;

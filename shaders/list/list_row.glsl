@@ -10,7 +10,7 @@ layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { ve
 layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-// A row of cells along x: what is left of it after the range begin <= k < end, and that range's image.
+// A row of cells along x. The binned points begin <= k < end are its current range, all in one image.
 struct CellRow {
   uint first, x, left;  // the cell at x = 0 of the system; the next cell, and how many
   uint begin, end;
@@ -34,7 +34,7 @@ CellRow row_at(ListLook look, uint y, uint z) {
   return row;
 }
 
-// Goes on to the next range: of the next image.
+// Moves on to the next range, which lies in the next image.
 CellRow next_range(ListLook look, CellRow row) {
   uint cells = min(row.left, list_system[look.system].cells[0] - row.x);
   row.begin = cell[row.first + row.x];
@@ -72,7 +72,7 @@ bool is_excluded(uint i, uint j) {
   return false;
 }
 
-// Whether any pair within reach is listed, but (i, i, 0).
+// Whether the list has every pair within reach except (i, i, 0).
 bool lists_all() { return !has_flag(LIST_HALF | LIST_SELF_PAIRS) && list_state[0].exclusions == 0u; }
 
 // Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
@@ -93,8 +93,8 @@ bool is_within_reach(uint i, uint j, ivec4 image) {
                            list_state[0].skin, has_flag(LIST_INCLUSIVE));
 }
 
-// A bit for each of up to 32 binned points, the last one lowest: in x those that float32 can tell are within reach, in
-// y also those that it leaves undecided.
+// Tests up to 32 binned points in float32. Each has a bit, the last point the lowest: x has those that are within reach
+// for certain, y also those that float32 leaves undecided.
 uvec2 filtered(ListLook look, CellRow row, uint begin, uint end, float tolerance) {
   vec4 from = seen_from(look, row.image);
   uvec2 bits = uvec2(0u, 0u);
@@ -115,8 +115,8 @@ uvec2 filtered(ListLook look, CellRow row, uint begin, uint end, float tolerance
   return bits;
 }
 
-// The bits of the points that the list has as pairs of the point that looks; in y not 0 if some are undecided. Where
-// `exact`, these are decided on the numbers as given.
+// Returns in x the bits of the points that the list pairs with the point that looks, in y those that float32 leaves
+// undecided. With `exact` these are decided on the numbers as given; otherwise x lacks them.
 uvec2 listed_points(ListLook look, CellRow row, uint begin, uint end, bool all, bool exact) {
   uvec2 bits = filtered(look, row, begin, end, list_system[look.system].tolerance);
   bool given = row.image.x == 0 && row.image.y == 0 && row.image.z == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shared by tests of the comparing code: a session of the CPU and a faulty backend, and the message about a fault.
+// For tests of the code that compares backends: opens the CPU beside a faulty backend, and returns what was reported.
 #pragma once
 
 #include <gtest/gtest.h>
