@@ -61,6 +61,5 @@ struct ListLook;
   one(LIST_LOOK, ListLook*, list_look, "what points look through")            \
   one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")  \
   one(LIST_KEY, uint*, list_keys, "keys of pairs")                     \
-  one(LIST_BIN, uvec2*, list_bins, "bins of points")                      \
-  one(LIST_MASK, uint*, list_masks, "masks of found points")
+  one(LIST_BIN, uvec2*, list_bins, "bins of points")
 // clang-format on

@@ -30,29 +30,31 @@ bool DeviceLists::make_room() {
   context_.params.sort.scan_tiles = uint(ceil_div(uint64_t(state.points) + state.systems + 2, SCAN_TILE));
   context_.buffers.set_spheres(std::max<uint64_t>(context_.n, 1));
   const uint64_t looking = state.looking, points = state.points, tiles = context_.params.sort.scan_tiles;
-  const std::pair<uint, uint64_t> needed[] = {
-      {SLOT_LIST_STATE, sizeof(ListState)},
-      {SLOT_LIST_SYSTEM, state.systems * sizeof(ListSystem)},
-      {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
-      {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
-      {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
-      {SLOT_SORTED, points * sizeof(vec4)},
-      {SLOT_ID, points * sizeof(uint)},
-      {SLOT_LIST_BIN, points * sizeof(uvec2)},
-      {SLOT_LIST_MASK, (looking << state.row_bits) * state.mask_words * sizeof(uint)},
-      {SLOT_ROW_LENGTH, looking * sizeof(uint)},
-      {SLOT_LIST_BEGIN, (looking + 1) * sizeof(int64_t)},
-      {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
-      {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
-      {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
-      {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
+  const std::pair<uint, uint64_t> needed[] = {{SLOT_LIST_STATE, sizeof(ListState)},
+                                              {SLOT_LIST_SYSTEM, state.systems * sizeof(ListSystem)},
+                                              {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
+                                              {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
+                                              {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
+                                              {SLOT_SORTED, points * sizeof(vec4)},
+                                              {SLOT_ID, points * sizeof(uint)},
+                                              {SLOT_LIST_BIN, points * sizeof(uvec2)},
+                                              {SLOT_LIST_KEY, looking * state.kept * sizeof(uint)},
+                                              {SLOT_ROW_LENGTH, looking * sizeof(uint)},
+                                              {SLOT_LIST_BEGIN, (looking + 1) * sizeof(int64_t)},
+                                              {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
+                                              {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
+                                              {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
+                                              {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
   return grow(needed);
 }
 
 bool DeviceLists::begin(const ListProblem& problem) {
   DeviceProblem told = device_problem(problem);
   const bool known = told.equals(sent_);
-  if (!known) sent_ = std::move(told);
+  if (!known) {
+    sent_ = std::move(told);
+    keep_more(context_.buffers.memory(SLOT_LIST_KEY).bytes / sizeof(uint) * 3 / 5);  // as set_columns() made room for
+  }
   if (!make_room() && known) return true;
   context_.buffers.write(SLOT_LIST_SYSTEM, sent_.systems);
   context_.buffers.write(SLOT_LIST_EXCLUDED, sent_.exclusions);
@@ -60,13 +62,25 @@ bool DeviceLists::begin(const ListProblem& problem) {
   return false;
 }
 
+// Lets list_count keep so many keys in all, an equal number for each row, as far as kernels can number them.
+void DeviceLists::keep_more(uint64_t keys) {
+  const uint64_t most = std::min(context_.device.capabilities().largest_buffer / sizeof(uint), uint64_t(1) << 32) / 2;
+  const uint64_t rows = std::max<uint64_t>(looking(), 1);
+  sent_.state.kept = uint(std::min(std::max(uint64_t(sent_.state.kept), keys / rows), most / rows));
+}
+
 bool DeviceLists::set_columns(uint wanted, int64_t room) {
   const auto bytes = [&](uint flag, uint64_t each) { return wanted & flag ? uint64_t(room) * each : 0; };
-  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_KEY, uint64_t(room) * sizeof(uint)},
-                                               {SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
+  const uint kept = sent_.state.kept;
+  keep_more(uint64_t(room) * 3 / 2);
+  const std::pair<uint, uint64_t> keys[] = {
+      {SLOT_LIST_KEY, (looking() * sent_.state.kept + uint64_t(room)) * sizeof(uint)}};
+  const bool loses_keys = grow(keys) || sent_.state.kept != kept;
+  counts_again_ = counts_again_ || loses_keys;
+  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
                                                {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
                                                {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}};
-  const bool grown = grow(columns);
+  const bool grown = grow(columns) || loses_keys;
   const uint flags = (sent_.state.flags & ~list_columns) | wanted;
   if (!grown && sent_.state.flags == flags && sent_.state.room == room) return true;
   sent_.state.flags = flags;
@@ -74,11 +88,12 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
   // The rest of the state is the kernels' by now.
   context_.buffers.write(SLOT_LIST_STATE, &sent_.state.room, offsetof(ListState, room), sizeof(int64_t));
   context_.buffers.write(SLOT_LIST_STATE, &sent_.state.flags, offsetof(ListState, flags), sizeof(uint));
+  context_.buffers.write(SLOT_LIST_STATE, &sent_.state.kept, offsetof(ListState, kept), sizeof(uint));
   return false;
 }
 
 void DeviceLists::prepare_small_systems() {
-  context_.buffers.clear(SLOT_LIST_STATE, offsetof(ListState, mask_words));  // nothing found yet
+  context_.buffers.clear(SLOT_LIST_STATE, offsetof(ListState, kept));  // nothing found yet
   launch(Kernel::list_prepare, LIST_PREPARE_BLOCK, sent_.state.systems);
 }
 
@@ -96,6 +111,7 @@ void DeviceLists::prepare_systems() {
 }
 
 void DeviceLists::count() {
+  counts_again_ = false;
   if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
   sent_.is_small() ? prepare_small_systems() : prepare_systems();
   const uint64_t row_tiles = ceil_div(looking(), LIST_TILE);
@@ -117,6 +133,7 @@ DeviceLists::Found DeviceLists::found() {
 
 void DeviceLists::fill() {
   if (is_empty()) return;  // nothing was counted
+  if (counts_again_) count();
   launch(Kernel::list_find, LIST_BLOCK, looking_groups());
   launch(Kernel::list_order, LIST_ORDER_BLOCK, ceil_div(looking(), 1u << sent_.state.order_bits));
 }

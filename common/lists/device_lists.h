@@ -45,6 +45,7 @@ class DeviceLists {
  private:
   bool grow(std::span<const std::pair<uint, uint64_t>> slots);
   bool make_room();  // returns whether any buffer grew
+  void keep_more(uint64_t keys);
   bool is_empty() const { return sent_.state.points == 0 || sent_.state.looking == 0; }
 
   void prepare_small_systems();
@@ -54,7 +55,8 @@ class DeviceLists {
   std::vector<ListedPair> read_list(uint64_t pairs);
 
   DeviceContext context_;
-  DeviceProblem sent_;  // by begin() and set_columns()
+  DeviceProblem sent_;         // by begin() and set_columns()
+  bool counts_again_ = false;  // fill() does: the keys of the last count() are lost
 };
 
 }  // namespace spherepair

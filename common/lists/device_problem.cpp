@@ -36,12 +36,11 @@ bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0);
 }
 
-// Sets how many threads look for the pairs of a row, how many rows a group sorts, and how many words a thread keeps.
+// Sets how many threads look for the pairs of a row, how many rows a group sorts, and how many keys of a row are kept.
 void share_out(ListState& state) {
   while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
-  const uint64_t threads = std::max<uint64_t>(uint64_t(state.looking) << state.row_bits, 1);
-  const auto indexable = uint(~0u / threads);  // all words have indices of 32 bits
-  state.mask_words = std::min(std::clamp(uint(LIST_MASK_TOTAL / threads), LIST_MASK_LEAST, LIST_MASK_WORDS), indexable);
+  const uint rows = std::max(state.looking, 1u);
+  state.kept = std::clamp(LIST_KEPT_TOTAL / rows, LIST_KEPT_LEAST, LIST_KEPT_MOST);
   while (state.order_bits < 5 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
 }
 
@@ -80,6 +79,7 @@ DeviceProblem device_problem(const ListProblem& problem) {
 bool DeviceProblem::equals(const DeviceProblem& other) const {
   ListState own = state, others = other.state;
   own.room = others.room = 0;
+  own.kept = others.kept = 0;
   own.flags &= ~list_columns, others.flags &= ~list_columns;
   return std::memcmp(&own, &others, sizeof(ListState)) == 0 && same_bytes(systems, other.systems) &&
          same_bytes(exclusions, other.exclusions);

@@ -16,7 +16,7 @@ struct DeviceProblem {
   std::vector<ListSystem> systems;
   std::vector<uvec2> exclusions;
 
-  bool equals(const DeviceProblem& other) const;  // in all but state.room and LIST_WANTS_*
+  bool equals(const DeviceProblem& other) const;  // in all but state.room, state.kept and LIST_WANTS_*
   bool is_small() const;                          // whether list_prepare takes every system
 };
 

@@ -9,9 +9,9 @@
 
 #define LIST_BLOCK 128               // group size of list_count and list_find
 #define LIST_THREADS 524288u         // these start at least so many threads, with up to 32 for a row of the list
-#define LIST_MASK_WORDS 32u          // words, at most, in which a thread of list_count keeps what it finds, ...
-#define LIST_MASK_TOTAL 33554432u    // ... words of all threads, above which each thread gets fewer, ...
-#define LIST_MASK_LEAST 9u           // ... and words that a thread gets in any case
+#define LIST_KEPT_MOST 128u          // keys of a row that list_count keeps before the length of the list is known, ...
+#define LIST_KEPT_TOTAL 33554432u    // ... keys of all rows, above which fewer of each are kept, ...
+#define LIST_KEPT_LEAST 12u          // ... and keys of a row that are kept in any case
 #define LIST_ORDER_BLOCK 64          // group size of list_order
 #define LIST_ORDER_ROWS 32u          // rows, at most, that a group of list_order sorts; ...
 #define LIST_ORDER_GROUPS 4096u      // ... fewer if there would be fewer groups than this
@@ -62,7 +62,7 @@ struct ListSystem {
 struct ListState {
   uint wrong, far;  // ~index of the first point that is not listed, or too far from its box
   uint wide;        // not 0: keys have no room for the images within reach
-  uint mask_words;  // in which a thread of list_count keeps the points that it finds, a word for 32 points
+  uint kept;        // keys of a row that list_count has room for
   double cutoff, skin;
   int64_t room;                            // pairs that the columns have room for
   uint points, queries, looking, systems;  // queries stand behind the points; looking: all that look

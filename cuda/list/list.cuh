@@ -37,6 +37,8 @@ __device__ inline uint element_of(const KernelBuffers& buf, uint i) {
   return has_flag(buf, LIST_ASKS) ? buf.list_state[0].points + i : i;
 }
 
+__device__ inline uint64_t column_index(uint64_t at) { return at; }  // CUDA only: 64 bits
+
 __device__ inline int floor_of(double x) {
   int below = int(x);
   return double(below) > x ? below - 1 : below;

@@ -11,6 +11,12 @@ __device__ inline bool has_room(const KernelBuffers& buf) {
   return buf.list_begin[buf.list_state[0].looking] <= buf.list_state[0].room;
 }
 
-__device__ inline uint64_t column_index(uint64_t at) { return at; }  // CUDA only: 64 bits
+// Where the keys of a row lie: where list_count kept them, or where list_find wrote them if they were too many, behind
+// those of all rows.
+__device__ inline uint64_t keys_at(const KernelBuffers& buf, uint i, uint length) {
+  uint64_t kept = uint64_t(buf.list_state[0].kept);
+  if (uint64_t(length) <= kept) return uint64_t(i) * kept;
+  return uint64_t(buf.list_state[0].looking) * kept + uint64_t(buf.list_begin[i]);
+}
 
 }  // namespace spherepair

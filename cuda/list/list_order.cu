@@ -62,7 +62,7 @@ __device__ inline void write_pair(const KernelBuffers& buf, RowKeys row, uint i,
 }
 
 // The row that has the k-th key of the group.
-__device__ inline uint row_of_key(uint k) {
+__device__ inline uint row_of_key(const KernelBuffers& buf, uint k) {
   uint row = 0u;
   for (uint step = LIST_ORDER_ROWS / 2u; step != 0u; step /= 2u)
     if (row_begin[row + step] <= k) row += step;
@@ -74,11 +74,15 @@ __device__ inline void order_short_rows(const KernelBuffers& buf, uint first, ui
   uint64_t begin = uint64_t(buf.list_begin[first]) + uint64_t(row_begin[from]);
   uint before = row_begin[from];
   uint total = row_begin[to] - before;
-  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK)
-    keys[k] = buf.list_keys[column_index(begin + uint64_t(k))];
+  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
+    uint row = row_of_key(buf, before + k);
+    uint n = before + k - row_begin[row];
+    keys[k] =
+        buf.list_keys[column_index(keys_at(buf, first + row, row_begin[row + 1u] - row_begin[row]) + uint64_t(n))];
+  }
   __syncthreads();
   for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
-    uint row = row_of_key(before + k);
+    uint row = row_of_key(buf, before + k);
     uint end = row_begin[row + 1u] - before;
     uint key = keys[k];
     uint place = row_begin[row] - before;
@@ -87,7 +91,7 @@ __device__ inline void order_short_rows(const KernelBuffers& buf, uint first, ui
   }
   __syncthreads();
   for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
-    uint i = first + row_of_key(before + k);
+    uint i = first + row_of_key(buf, before + k);
     write_pair(buf, keys_of_row(buf, i, flags), i, begin + uint64_t(k), ordered[k], flags);
   }
   __syncthreads();
@@ -155,13 +159,13 @@ __device__ inline void write_sorted(const KernelBuffers& buf, uint i, uint64_t b
 }
 
 // Copies the keys low <= key < high to shared memory, LIST_ROOM at most. Returns how many there are.
-__device__ inline uint keys_between(const KernelBuffers& buf, uint64_t begin, uint length, uint64_t low,
+__device__ inline uint keys_between(const KernelBuffers& buf, uint64_t first, uint length, uint64_t low,
                                     uint64_t high) {
   __syncthreads();
   if (threadIdx.x == 0u) found = 0u;
   __syncthreads();
   for (uint k = threadIdx.x; k < length; k += LIST_ORDER_BLOCK) {
-    uint key = buf.list_keys[column_index(begin + uint64_t(k))];
+    uint key = buf.list_keys[column_index(first + uint64_t(k))];
     if (uint64_t(key) < low || uint64_t(key) >= high) continue;
     uint n = atomicAdd(&found, 1u);
     if (n < LIST_ROOM) keys[n] = key;
@@ -173,9 +177,10 @@ __device__ inline uint keys_between(const KernelBuffers& buf, uint64_t begin, ui
 __device__ inline void order_long_row(const KernelBuffers& buf, uint i, uint flags) {
   uint64_t row = uint64_t(buf.list_begin[i]);
   uint length = buf.row_length[i];
+  uint64_t first = keys_at(buf, i, length);
   if (length <= LIST_ROOM) {
     for (uint k = threadIdx.x; k < length; k += LIST_ORDER_BLOCK)
-      keys[k] = buf.list_keys[column_index(row + uint64_t(k))];
+      keys[k] = buf.list_keys[column_index(first + uint64_t(k))];
     __syncthreads();
     write_sorted(buf, i, row, length, flags);
     return;
@@ -184,7 +189,7 @@ __device__ inline void order_long_row(const KernelBuffers& buf, uint i, uint fla
   uint64_t low = uint64_t(0u);
   uint64_t step = uint64_t(1u) << 32;
   while (written < uint64_t(length)) {
-    uint count = keys_between(buf, row, length, low, low + step);
+    uint count = keys_between(buf, first, length, low, low + step);
     if (count > LIST_ROOM) {
       step = step >> 1;
       continue;

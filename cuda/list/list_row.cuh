@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The cells within a point's reach, as contiguous ranges of binned points, each in one image; and the test whether the
-// list has one of these points.
+// The cells within a point's reach, as contiguous ranges of binned points, each in one image; which of these points the
+// list has; and their keys.
 #pragma once
 
 #include "common/shared/list_exact.h"
 #include "cuda/list/list.cuh"
 
 namespace spherepair {
+
+__shared__ uint found[LIST_BLOCK];  // pairs of each row of the group
 
 // A row of cells along x. The binned points begin <= k < end are its current range, all in one image.
 struct CellRow {
@@ -138,6 +140,65 @@ __device__ inline uvec2 listed_points(const KernelBuffers& buf, ListLook look, C
     listed = is_pair ? listed | bit : listed & ~bit;
   }
   return uvec2{listed, undecided};
+}
+
+// The number of an image, which the key of a pair ends with.
+__device__ inline uint number_of_image(const KernelBuffers& buf, uint s, ivec4 image) {
+  uint x = uint(image.x + int(buf.list_system[s].images[0]));
+  uint y = uint(image.y + int(buf.list_system[s].images[1]));
+  uint z = uint(image.z + int(buf.list_system[s].images[2]));
+  return (x * (2u * buf.list_system[s].images[1] + 1u) + y) * (2u * buf.list_system[s].images[2] + 1u) + z;
+}
+
+// Room for the keys of a row.
+struct KeyRange {
+  uint64_t first;
+  uint count;
+};
+
+// Adds pairs to a row of the group, and writes their keys as far as there is room.
+__device__ inline void add_pairs(const KernelBuffers& buf, ListLook look, CellRow row, uint end, uint listed,
+                                 KeyRange to, uint group_row) {
+  uint n = atomicAdd(&found[group_row], count_bits(listed));
+  uint first_point = buf.list_system[look.system].first_point;
+  uint key_bits = buf.list_system[look.system].key_bits;
+  uint number = number_of_image(buf, look.system, row.image);
+  for (; listed != 0u && n < to.count; ++n) {
+    uint j = buf.id[end - 1u - lowest_bit(listed)];
+    buf.list_keys[column_index(to.first + uint64_t(n))] = (j - first_point) << key_bits | number;
+    listed &= listed - 1u;
+  }
+}
+
+// Adds a thread's share of the pairs of a row that float32 decides, or with `exact` only of those that it does not.
+// Returns whether there may be such pairs. Threads of one row take rows of cells in turns.
+__device__ inline bool look_through(const KernelBuffers& buf, ListLook look, uint lane, uint lanes, KeyRange to,
+                                    uint group_row, bool exact) {
+  bool all = lists_all(buf);
+  uint undecided = 0u;
+  uint z = 0u;
+  for (uint y = lane; true; y += lanes) {
+    for (; y >= look.along_y; y -= look.along_y) ++z;
+    if (z >= look.along_z) return undecided != 0u;
+    CellRow row = row_at(buf, look, y, z);
+    while (row.left != 0u) {
+      row = next_range(buf, look, row);
+      for (uint at = row.begin; at < row.end; at += 32u) {
+        uint end = min(at + 32u, row.end);
+        uvec2 listed = listed_points(buf, look, row, at, end, all, exact);
+        undecided |= listed.y;
+        if (exact) listed.x &= listed.y;
+        if (listed.x != 0u) add_pairs(buf, look, row, end, listed.x, to, group_row);
+      }
+    }
+  }
+  return false;
+}
+
+__device__ inline void find_pairs(const KernelBuffers& buf, ListLook look, uint lane, uint lanes, KeyRange to,
+                                  uint group_row) {
+  if (look_through(buf, look, lane, lanes, to, group_row, false))
+    look_through(buf, look, lane, lanes, to, group_row, true);
 }
 
 }  // namespace spherepair

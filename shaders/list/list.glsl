@@ -37,6 +37,8 @@ uint system_of(uint i) {
 // The element of the i-th that looks.
 uint element_of(uint i) { return has_flag(LIST_ASKS) ? list_state[0].points + i : i; }
 
+uint column_index(uint64_t at) { return uint(at); }  // GLSL only: indices have 32 bits
+
 int floor_of(double x) {
   int below = int(x);
   return double(below) > x ? below - 1 : below;

@@ -8,4 +8,10 @@ layout(std430, binding = SLOT_LIST_BEGIN) restrict readonly buffer ListBeginBuff
 // Whether the columns have room for all pairs; else none is written.
 bool has_room() { return list_begin[list_state[0].looking] <= list_state[0].room; }
 
-uint column_index(uint64_t at) { return uint(at); }  // GLSL only: indices have 32 bits
+// Where the keys of a row lie: where list_count kept them, or where list_find wrote them if they were too many, behind
+// those of all rows.
+uint64_t keys_at(uint i, uint length) {
+  uint64_t kept = uint64_t(list_state[0].kept);
+  if (uint64_t(length) <= kept) return uint64_t(i) * kept;
+  return uint64_t(list_state[0].looking) * kept + uint64_t(list_begin[i]);
+}

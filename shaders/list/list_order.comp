@@ -87,8 +87,11 @@ void order_short_rows(uint first, uint from, uint to, uint flags) {
   uint64_t begin = uint64_t(list_begin[first]) + uint64_t(row_begin[from]);
   uint before = row_begin[from];
   uint total = row_begin[to] - before;
-  for (uint k = gl_LocalInvocationID.x; k < total; k += LIST_ORDER_BLOCK)
-    keys[k] = list_keys[column_index(begin + uint64_t(k))];
+  for (uint k = gl_LocalInvocationID.x; k < total; k += LIST_ORDER_BLOCK) {
+    uint row = row_of_key(before + k);
+    uint n = before + k - row_begin[row];
+    keys[k] = list_keys[column_index(keys_at(first + row, row_begin[row + 1u] - row_begin[row]) + uint64_t(n))];
+  }
   barrier();
   for (uint k = gl_LocalInvocationID.x; k < total; k += LIST_ORDER_BLOCK) {
     uint row = row_of_key(before + k);
@@ -164,12 +167,12 @@ void write_sorted(uint i, uint64_t begin, uint count, uint flags) {
 }
 
 // Copies the keys low <= key < high to shared memory, LIST_ROOM at most. Returns how many there are.
-uint keys_between(uint64_t begin, uint length, uint64_t low, uint64_t high) {
+uint keys_between(uint64_t first, uint length, uint64_t low, uint64_t high) {
   barrier();
   if (gl_LocalInvocationID.x == 0u) found = 0u;
   barrier();
   for (uint k = gl_LocalInvocationID.x; k < length; k += LIST_ORDER_BLOCK) {
-    uint key = list_keys[column_index(begin + uint64_t(k))];
+    uint key = list_keys[column_index(first + uint64_t(k))];
     if (uint64_t(key) < low || uint64_t(key) >= high) continue;
     uint n = atomicAdd(found, 1u);
     if (n < LIST_ROOM) keys[n] = key;
@@ -181,9 +184,10 @@ uint keys_between(uint64_t begin, uint length, uint64_t low, uint64_t high) {
 void order_long_row(uint i, uint flags) {
   uint64_t row = uint64_t(list_begin[i]);
   uint length = row_length[i];
+  uint64_t first = keys_at(i, length);
   if (length <= LIST_ROOM) {
     for (uint k = gl_LocalInvocationID.x; k < length; k += LIST_ORDER_BLOCK)
-      keys[k] = list_keys[column_index(row + uint64_t(k))];
+      keys[k] = list_keys[column_index(first + uint64_t(k))];
     barrier();
     write_sorted(i, row, length, flags);
     return;
@@ -192,7 +196,7 @@ void order_long_row(uint i, uint flags) {
   uint64_t low = uint64_t(0u);
   uint64_t step = uint64_t(1u) << 32;
   while (written < uint64_t(length)) {
-    uint count = keys_between(row, length, low, low + step);
+    uint count = keys_between(first, length, low, low + step);
     if (count > LIST_ROOM) {
       step = step >> 1;
       continue;

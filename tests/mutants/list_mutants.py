@@ -40,7 +40,7 @@ LISTS = [
     mutant("kernels do not look into images", "shaders/list/list_place.glsl", "if ((list_system[s].periodic >> k & 1u) == 0u) {", "if (true) {", "Lists"),
     mutant("the last cell of a small system has no end", "shaders/list/list_prepare.comp", "if (lane == 0u) cell[first_cell + cells] = first_point + points;", "", "Lists"),
     mutant("keys are compared with all but the last of a chunk", "shaders/list/list_order.comp", "return rank + uint(keys[chunk * LIST_CHUNK + rank] < key);", "return rank;", "Lists"),
-    mutant("points beyond a thread's masks are not found", "shaders/list/list_find.comp", "if (word >= list_state[0].mask_words) {", "if (false) {", "Lists"),
+    mutant("keys that list_count has no room for are lost", "shaders/list/list_find.comp", "if (row.count <= list_state[0].kept) return;", "return;", "Lists"),
     mutant("keys have room for one image too few", "common/shared/list.h", "? uint(span) + 1u", "? uint(span)", "Lists"),
-    mutant("a point that float32 leaves undecided is not looked at again", "shaders/list/list_count.comp", "if (pairs.y != 0u) pairs = pairs_of", "if (false) pairs = pairs_of", "Lists"),
+    mutant("a point that float32 leaves undecided is not looked at again", "shaders/list/list_row.glsl", "group_row, false)) look_through(", "group_row, false) && false) look_through(", "Lists"),
 ]
