@@ -14,8 +14,9 @@ void DeviceLists::launch(Kernel kernel, uint block, uint64_t groups) {
 }
 
 bool DeviceLists::is_ready(const ListProblem& problem, uint wanted, int64_t room) const {
+  const auto has_memory = [&](const auto& column) { return context_.buffers.bytes(column.first) >= column.second; };
   return device_problem(problem).equals(sent_) && (sent_.state.flags & list_columns) == wanted &&
-         sent_.state.room == room;
+         sent_.state.room == room && std::ranges::all_of(column_sizes(wanted, room), has_memory);
 }
 
 bool DeviceLists::grow(std::span<const std::pair<uint, uint64_t>> slots) {
@@ -69,18 +70,21 @@ void DeviceLists::keep_more(uint64_t keys) {
   sent_.state.kept = uint(std::min(std::max(uint64_t(sent_.state.kept), keys / rows), most / rows));
 }
 
-bool DeviceLists::set_columns(uint wanted, int64_t room) {
+std::array<std::pair<uint, uint64_t>, 4> DeviceLists::column_sizes(uint wanted, int64_t room) const {
   const auto bytes = [&](uint flag, uint64_t each) { return wanted & flag ? uint64_t(room) * each : 0; };
+  return {{{SLOT_LIST_KEY, (looking() * sent_.state.kept + uint64_t(room)) * sizeof(uint)},
+           {SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
+           {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
+           {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}}};
+}
+
+bool DeviceLists::set_columns(uint wanted, int64_t room) {
   const uint kept = sent_.state.kept;
+  const uint64_t key_bytes = context_.buffers.memory(SLOT_LIST_KEY).bytes;
   keep_more(uint64_t(room) * 3 / 2);
-  const std::pair<uint, uint64_t> keys[] = {
-      {SLOT_LIST_KEY, (looking() * sent_.state.kept + uint64_t(room)) * sizeof(uint)}};
-  const bool loses_keys = grow(keys) || sent_.state.kept != kept;
-  counts_again_ = counts_again_ || loses_keys;
-  const std::pair<uint, uint64_t> columns[] = {{SLOT_LIST_FIRST, bytes(LIST_WANTS_FIRST, sizeof(uint))},
-                                               {SLOT_LIST_SECOND, bytes(LIST_WANTS_SECOND, sizeof(uint))},
-                                               {SLOT_LIST_SHIFT, bytes(LIST_WANTS_SHIFTS, 3 * sizeof(int))}};
-  const bool grown = grow(columns) || loses_keys;
+  bool grown = grow(column_sizes(wanted, room));
+  if (sent_.state.kept != kept || context_.buffers.memory(SLOT_LIST_KEY).bytes != key_bytes)
+    grown = counts_again_ = true;
   const uint flags = (sent_.state.flags & ~list_columns) | wanted;
   if (!grown && sent_.state.flags == flags && sent_.state.room == room) return true;
   sent_.state.flags = flags;

@@ -3,6 +3,7 @@
 // The list is the CPU's, see displacement.h. Only found() and list() wait for the device.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -23,7 +24,7 @@ class DeviceLists {
   // The steps of list(). begin() reads the offsets of a problem's sets, not their points: those go into points(), a
   // dvec4 each with the radius in w, queries last. fill() writes the wanted columns (LIST_WANTS_*) if `room` holds all
   // pairs. begin() and set_columns() return true if they sent and allocated nothing, since the device had it from the
-  // last call.
+  // last call. A column in whose slot the caller has put memory is written there.
   bool begin(const ListProblem& problem);
   bool set_columns(uint wanted, int64_t room);
   bool is_ready(const ListProblem& problem, uint wanted, int64_t room) const;  // whether both would return true
@@ -44,6 +45,7 @@ class DeviceLists {
 
  private:
   bool grow(std::span<const std::pair<uint, uint64_t>> slots);
+  std::array<std::pair<uint, uint64_t>, 4> column_sizes(uint wanted, int64_t room) const;  // slots and bytes
   bool make_room();  // returns whether any buffer grew
   void keep_more(uint64_t keys);
   bool is_empty() const { return sent_.state.points == 0 || sent_.state.looking == 0; }
