@@ -25,6 +25,18 @@ uint wanted_of(const sp_pairs& pairs) {
          (pairs.shifts.data || vectors ? LIST_WANTS_SHIFTS : 0);
 }
 
+// The first array besides points that lies in CUDA's memory, so that a call copies it and waits; null: none.
+const char* copied_array(const sp_problem& given) {
+  const std::pair<const char*, const sp_array*> arrays[] = {{"boxes", &given.boxes},
+                                                            {"periodic", &given.periodic},
+                                                            {"offsets", &given.offsets},
+                                                            {"query_offsets", &given.query_offsets},
+                                                            {"exclusions", &given.exclusions}};
+  for (const auto& [name, array] : arrays)
+    if (array->data && is_cuda_array(*array)) return name;
+  return nullptr;
+}
+
 // The rows of the shortest column.
 int64_t room_of(const sp_pairs& pairs) {
   int64_t room = most_points;
@@ -34,15 +46,17 @@ int64_t room_of(const sp_pairs& pairs) {
   return any ? room : 0;
 }
 
-// Lets kernels write straight into a caller's column of contiguous int32, instead of the list's own buffer.
+// Lets kernels write straight into a caller's column of contiguous int32, instead of a buffer of the list's own.
 class BorrowedColumn {
  public:
-  BorrowedColumn(DeviceLists& lists, uint slot, DeviceArray& column, int64_t columns, int64_t rows)
-      : buffers_(lists.buffers()), slot_(slot), own_(buffers_.memory(slot)) {
+  BorrowedColumn(Buffers& buffers, uint slot, DeviceArray& column, int64_t columns, int64_t rows)
+      : buffers_(buffers), slot_(slot), own_(buffers.memory(slot)) {
     const bool contiguous = (columns == 1 || column.column_stride == 1) && column.row_stride == columns;
     taken_ = column.data && column.type == ElementType::int32 && contiguous;
     if (!taken_) return;
-    buffers_.share(slot, {uint64_t(uintptr_t(column.data)), uint64_t(rows * columns) * sizeof(int32_t), nullptr});
+    // At least the 16 bytes of the smallest buffer, so that none is allocated in its place.
+    const uint64_t bytes = std::max<uint64_t>(uint64_t(rows * columns) * sizeof(int32_t), 16);
+    buffers_.share(slot, {uint64_t(uintptr_t(column.data)), bytes, nullptr});
     column = {};  // so that nothing is copied
   }
   ~BorrowedColumn() {
@@ -56,6 +70,14 @@ class BorrowedColumn {
   uint slot_;
   Memory own_;
   bool taken_ = false;
+};
+
+struct BorrowedColumns {
+  BorrowedColumns(Buffers& buffers, DeviceColumns& columns, int64_t rows)
+      : first(buffers, SLOT_LIST_FIRST, columns.first, 1, rows),
+        second(buffers, SLOT_LIST_SECOND, columns.second, 1, rows),
+        shifts(buffers, SLOT_LIST_SHIFT, columns.shifts, 3, rows) {}
+  BorrowedColumn first, second, shifts;
 };
 
 }  // namespace
@@ -133,10 +155,7 @@ DeviceColumns DeviceCalls::columns_of(const sp_pairs& pairs) const {
 }
 
 // Writes the rows that count() has found into the columns, at most `room` of them.
-void DeviceCalls::write(const ListProblem& problem, DeviceColumns columns, int64_t room) {
-  const BorrowedColumn first(lists_, SLOT_LIST_FIRST, columns.first, 1, room),
-      second(lists_, SLOT_LIST_SECOND, columns.second, 1, room),
-      shifts(lists_, SLOT_LIST_SHIFT, columns.shifts, 3, room);
+void DeviceCalls::write(const ListProblem& problem, const DeviceColumns& columns, int64_t room) {
   if (room > 0) lists_.fill();
   arrays_.write_columns(lists_.buffers().handles(), problem.firsts().size(), room, columns);
 }
@@ -148,17 +167,24 @@ std::unique_ptr<OwnedPairs> DeviceCalls::list(const sp_problem& given, uint32_t 
   const int64_t pairs = counted(given);
   auto owned =
       std::make_unique<OwnedPairs>(pairs, int64_t(problem.firsts().size()), wanted, device_, given.positions.device_id);
+  DeviceColumns columns = columns_of(*owned);
+  const BorrowedColumns borrowed(lists_.buffers(), columns, pairs);
   lists_.set_columns(wanted_of(*owned), pairs);
-  write(problem, columns_of(*owned), pairs);
+  write(problem, columns, pairs);
   return owned;
 }
 
 bool DeviceCalls::fill(const sp_problem& given, sp_pairs& pairs, std::string& message) {
   const InStream in_stream(*this, given);
-  const DeviceColumns columns = columns_of(pairs);
+  DeviceColumns columns = columns_of(pairs);
+  if (arrays_.is_captured())
+    if (const char* const name = copied_array(given))
+      refuse(fmt::format("this call cannot be captured, since it copies {} to the host: give {} in the host's memory",
+                         name, name));
   const ListProblem problem = read(given);
   const uint wanted = wanted_of(pairs);
   const int64_t room = room_of(pairs);
+  const BorrowedColumns borrowed(lists_.buffers(), columns, room);
   if (arrays_.is_captured() && !(pairs.found.data && lists_.is_ready(problem, wanted, room)))
     refuse(
         "this call cannot be captured: give `found`, and call sp_fill once with the same problem before the capture");
@@ -171,8 +197,12 @@ bool DeviceCalls::fill(const sp_problem& given, sp_pairs& pairs, std::string& me
   } else {
     pairs.count = counted(given);
   }
-  check_room(pairs, int64_t(problem.firsts().size()), message);
-  if (message.empty()) write(problem, columns, room);
+  const int64_t firsts = int64_t(problem.firsts().size());
+  check_room(pairs, firsts, message);
+  if (message.empty())
+    write(problem, columns, room);
+  else if (pairs.found.data)  // the number is written in any case
+    write(problem, {.found = columns.found}, pairs.count > room ? room : 0);
   return message.empty();
 }
 

@@ -29,7 +29,7 @@ class DeviceCalls {
   void read_points(const sp_problem& given);
   int64_t counted(const sp_problem& given);
   DeviceColumns columns_of(const sp_pairs& pairs) const;
-  void write(const ListProblem& problem, DeviceColumns columns, int64_t room);
+  void write(const ListProblem& problem, const DeviceColumns& columns, int64_t room);
   DeviceArray array_of(const sp_array& array, const char* name) const;
 
   Backend& backend_;

@@ -66,8 +66,9 @@ typedef struct sp_array {
 } sp_array;
 
 /* Positions in CUDA's memory stay there: a context of cuda reads them, with radii and queries, and writes columns, all
- * in its device's memory and in `stream`. Boxes, periodic, offsets and exclusions may lie in either memory; those in
- * CUDA's are copied to the host, for which a call waits. */
+ * in its device's memory and in `stream`. boxes, periodic, offsets, query_offsets and exclusions may lie in either
+ * memory. Each call copies those in CUDA's to the host and waits for them, sp_fill with `found` too: to wait for
+ * nothing, keep them in the host's memory. */
 
 /* The problem: which pairs to list. Set `size` to sizeof(sp_problem), the rest to zero, then fill in what there is. */
 typedef struct sp_problem {
@@ -143,14 +144,15 @@ SP_API sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_
 SP_API void sp_free(sp_pairs* list); /* NULL is fine */
 
 /* Writes the list into the caller's arrays: those of `pairs` that have data, each of at least `count` rows. `count` is
- * set in any case; if an array has fewer rows, nothing is written and the status is SP_E_CAPACITY.
+ * set in any case; if an array has fewer rows, nothing is written but `found`, and the status is SP_E_CAPACITY.
+ * Columns of I32 without gaps in CUDA's memory are written by the search itself; for others it allocates a copy.
  *
  * With `found` a call neither waits nor allocates if the context's last call had the same problem, except for the
- * numbers in positions, radii and queries, and columns of as many rows. Such a call can be captured into a CUDA graph,
- * which can be replayed until the context's next call with another problem. `count` is then -1, and `found` gets the
- * number of pairs once the stream reaches that point. If it is more than the rows of a column, no pair was written.
- * If it is -1 - i, the numbers of position i, or of query i - N, cannot be listed. INT64_MIN: call once without
- * `found`.
+ * numbers in positions, radii and queries, and columns of as many rows, and if no boxes, periodic, offsets or
+ * exclusions lie in CUDA's memory. Such a call can be captured into a CUDA graph, which can be replayed until the
+ * context's next call with another problem or number of rows. `count` is then -1, and `found` gets the number of pairs
+ * once the stream reaches that point. If it is more than the rows of a column, no pair was written. If it is -1 - i,
+ * the numbers of position i, or of query i - N, cannot be listed. INT64_MIN: call once without `found`.
  */
 SP_API sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pairs);
 

@@ -7,6 +7,7 @@
 
 #include "common/lists/list_problem.h"
 #include "include/spherepair/spherepair.h"
+#include "tests/support/backends.h"
 
 namespace spherepair {
 
@@ -107,6 +108,32 @@ struct Both {
 
  private:
   std::vector<std::unique_ptr<OnDevice<double>>> on_device_;
+};
+
+template <typename Number>
+sp_problem of_array(OnDevice<Number>& positions, double cutoff) {
+  sp_problem problem = {};
+  problem.size = sizeof problem, problem.positions = positions.array(3), problem.cutoff = cutoff;
+  return problem;
+}
+
+inline sp_pairs into(OnDevice<int32_t>& first, OnDevice<int32_t>& second) {
+  sp_pairs pairs = {};
+  pairs.size = sizeof pairs, pairs.first = first.array(), pairs.second = second.array();
+  return pairs;
+}
+
+// A context of cuda, without which the test is skipped.
+class WithCuda : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (sp_open("cuda", nullptr, 0, &context_) == SP_OK) return;
+    if (backend_required("cuda")) FAIL() << sp_message(nullptr);
+    GTEST_SKIP() << sp_message(nullptr);
+  }
+  void TearDown() override { sp_close(context_); }
+
+  sp_context* context_ = nullptr;
 };
 
 }  // namespace spherepair

@@ -32,28 +32,8 @@ struct Columns {
   bool operator==(const Columns&) const = default;
 };
 
-template <typename Number>
-sp_problem of_array(OnDevice<Number>& positions, double cutoff) {
-  sp_problem problem = {};
-  problem.size = sizeof problem, problem.positions = positions.array(3), problem.cutoff = cutoff;
-  return problem;
-}
-
-sp_pairs into(OnDevice<int32_t>& first, OnDevice<int32_t>& second) {
-  sp_pairs pairs = {};
-  pairs.size = sizeof pairs, pairs.first = first.array(), pairs.second = second.array();
-  return pairs;
-}
-
-class DeviceArraysOfCuda : public testing::Test {
+class DeviceArraysOfCuda : public WithCuda {
  protected:
-  void SetUp() override {
-    if (sp_open("cuda", nullptr, 0, &context_) == SP_OK) return;
-    if (backend_required("cuda")) FAIL() << sp_message(nullptr);
-    GTEST_SKIP() << sp_message(nullptr);
-  }
-  void TearDown() override { sp_close(context_); }
-
   Columns list(const sp_problem& problem) {
     sp_pairs* made = nullptr;
     EXPECT_EQ(sp_list(context_, &problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS, &made), SP_OK)
@@ -68,8 +48,6 @@ class DeviceArraysOfCuda : public testing::Test {
     EXPECT_EQ(sp_count(context_, &problem, &count), status);
     return sp_message(context_);
   }
-
-  sp_context* context_ = nullptr;
 };
 
 TEST_F(DeviceArraysOfCuda, HaveTheListsOfTheHosts) {
