@@ -23,9 +23,12 @@ _pointer = ctypes.pythonapi.PyCapsule_GetPointer
 _pointer.restype, _pointer.argtypes = c_void_p, [ctypes.py_object, c_char_p]
 
 
-def read(obj: Any, name: str) -> Tuple[int, Tuple[int, ...], Tuple[int, ...], str, bool, Any]:
-    """Gives the fields of a View, which keeps the capsule. The capsule frees the memory when it is collected."""
-    capsule = obj.__dlpack__()
+def read(obj: Any, name: str, **stream: int) -> Tuple[int, Tuple[int, ...], Tuple[int, ...], str, bool, Any]:
+    """Gives the fields of a View, which keeps the capsule. The capsule frees the memory when it is collected.
+
+    stream: for a device's memory, where the numbers are used.
+    """
+    capsule = obj.__dlpack__(**stream)
     tensor = _Tensor.from_address(_pointer(capsule, b"dltensor"))
     if tensor.code not in _KINDS or tensor.bits not in (8, 16, 32, 64) or tensor.lanes != 1:
         raise ValueError(f"{name} has elements of type {getattr(obj, 'dtype', 'unknown')}: give float64 or float32")

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Uses arrays in CUDA's memory in place: torch tensors, cupy arrays, and others with `__cuda_array_interface__`."""
+"""Uses arrays in CUDA's memory in place: torch tensors, cupy arrays, and others with `__cuda_array_interface__` or DLPack."""
 
 from __future__ import annotations
 
 import sys
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
+from . import _dlpack
 from ._views import View, contiguous
 
 CUDA = (2, 13)  # DLPack's numbers of CUDA's memory and its managed memory
+DEFAULT_STREAM = 1  # DLPack's number of CUDA's default stream
+TYPES = {"f4": "float32", "f8": "float64", "i4": "int32", "i8": "int64"}
 
 
 def is_on_cuda(obj: Any) -> bool:
@@ -19,20 +22,24 @@ def is_on_cuda(obj: Any) -> bool:
     return hasattr(obj, "__cuda_array_interface__")
 
 
-def view(obj: Any, name: str) -> View:
-    """Gives a view of an array in CUDA's memory."""
+def view(obj: Any, name: str, codes: Tuple[str, ...] = ("f8", "f4")) -> View:
+    """Gives a view of an array in CUDA's memory, whose elements are of one of these types."""
+    if not is_on_cuda(obj):
+        raise ValueError(f"{name} is in the host's memory, but other arrays are in CUDA's: all must be in one")
     if getattr(obj, "requires_grad", False):
         obj = obj.detach()
     interface = getattr(obj, "__cuda_array_interface__", None)
-    if interface is None:
-        raise ValueError(f"{name} is in CUDA's memory without a __cuda_array_interface__: give a tensor of torch, or an "
-                         "array of cupy")
-    code, shape = interface["typestr"][1:], tuple(interface["shape"])
-    if code not in ("f4", "f8") or interface["typestr"][0] not in "<|":
-        raise ValueError(f"{name} has elements of type {getattr(obj, 'dtype', code)}: give float64 or float32")
-    strides = interface.get("strides") or contiguous(shape, int(code[1:]))
     number = obj.__dlpack_device__()[1] if hasattr(obj, "__dlpack_device__") else 0
-    return View(interface["data"][0], shape, tuple(strides), code, True, obj, number)
+    if interface is None:
+        given = View(*_dlpack.read(obj, name, stream=DEFAULT_STREAM), number)
+    else:
+        code, shape = interface["typestr"][1:], tuple(interface["shape"])
+        strides = interface.get("strides") or contiguous(shape, int(code[1:]))
+        given = View(interface["data"][0], shape, tuple(strides), code, interface["typestr"][0] in "<|", obj, number)
+    if given.code not in codes or not given.native:
+        raise ValueError(f"{name} has elements of type {getattr(obj, 'dtype', given.code)}: "
+                         f"give {' or '.join(map(TYPES.get, codes))}")
+    return given
 
 
 def on_host(obj: Any, name: str) -> Any:
@@ -63,15 +70,23 @@ class Library:
         self.torch = torch if torch is not None and isinstance(positions, torch.Tensor) else None
         self.cupy = cupy if cupy is not None and isinstance(positions, cupy.ndarray) else None
         self.number = number
-        self._interface = positions.__cuda_array_interface__ if not self.torch else {}
 
-    def stream(self) -> int:
-        """The stream in which the caller uses the arrays."""
+    def stream(self, positions: Any) -> int:
+        """The stream in which the caller uses the arrays: torch's or cupy's current one, else that of the positions."""
         if self.torch:
             return self.torch.cuda.current_stream(self.number).cuda_stream
         if self.cupy:
             return self.cupy.cuda.get_current_stream().ptr
-        return self._interface.get("stream") or 0
+        return getattr(positions, "__cuda_array_interface__", {}).get("stream") or 0
+
+    def new(self, shape: Tuple[int, ...], code: str) -> Any:
+        """Allocates an array of zeros."""
+        if self.torch:
+            return self.torch.zeros(shape, dtype=getattr(self.torch, TYPES[code]), device=f"cuda:{self.number}")
+        if self.cupy:
+            with self.cupy.cuda.Device(self.number):
+                return self.cupy.zeros(shape, code)
+        raise ValueError("only torch and cupy allocate arrays in CUDA's memory here: give your own to plan.into(i=..., ...)")
 
     def radii(self, radii: Any, name: str, rows: int) -> View:
         """Gives radii in CUDA's memory; torch and cupy copy them there from the host."""

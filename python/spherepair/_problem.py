@@ -57,7 +57,7 @@ class Search:
         if queries is not None and not _on_cuda.is_on_cuda(queries):
             raise ValueError("queries are in the host's memory, the points in CUDA's: both must be in one")
         library = _on_cuda.Library(positions, _on_cuda.view(positions, "positions").cuda or 0)
-        self.struct.stream = library.stream()
+        self.struct.stream = library.stream(positions)
         return library
 
     def _points(self, given: Any, name: str) -> View:
@@ -103,14 +103,17 @@ class Search:
 
     def set_positions(self, positions: Any) -> None:
         """Replaces the positions of a problem whose systems are sorted. Their number stays."""
-        points = _inputs.points(_atoms(positions, 0, 0)[0], "positions")
+        positions = _atoms(positions, 0, 0)[0]
+        points = self._points(positions, "positions")
         if points.shape[0] != self.rows:
             raise ValueError(f"positions has {points.shape[0]} rows: the plan is for {self.rows} points")
         self._put("positions", points)
+        if self.cuda is not None:
+            self.struct.stream = self.cuda.stream(positions)
 
     def set_cell(self, cell: Any, pbc: Any) -> None:
         """Replaces the boxes. Their number stays."""
-        cells, flags = _inputs.boxes(cell, pbc)
+        cells, flags = _inputs.boxes(_on_cuda.on_host(cell, "cell"), _on_cuda.on_host(pbc, "pbc"))
         if cells is not None and cells.shape[0] != self._boxes:
             raise ValueError(f"cell has {cells.shape[0]} boxes: the plan is for {self._boxes}")
         self._put_boxes(cells, flags)

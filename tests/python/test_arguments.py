@@ -119,7 +119,11 @@ class Wrong(unittest.TestCase):
         complaint("queries are in the host's memory", spherepair.query, OnCuda(), POINTS, 1.0, backend="cpu")
         complaint("radii are in the host's memory", spherepair.collisions, OnCuda(), [1, 1, 1], backend="cpu")
         complaint("cell is in CUDA's memory: copy it", neighbor_list, "ij", POINTS, 1.0, OnCuda(), backend="cpu")
-        complaint("a plan is for positions in the host's memory", spherepair.Plan, OnCuda(), 1.0, backend="cpu")
+        plan = spherepair.Plan(OnCuda(), 1.0, backend="cpu")
+        complaint("give `out`", plan.fill, OnCuda())
+        complaint("only torch and cupy allocate", plan.allocate, 5)
+        complaint("positions is in the host's memory, but other arrays", plan.fill, POINTS)
+        complaint("positions lies in CUDA's memory, but the context is of cpu", plan.count, OnCuda())
         complaint("batch is not sorted", neighbor_list, "ij", OnCuda(), 1.0, batch=[1, 0, 1], backend="cpu")
 
     def test_queries(self):

@@ -10,6 +10,7 @@ import unittest
 import numpy as np
 from scipy.spatial import cKDTree
 from support import CONTEXTS, MISSING, ROOT, Case, every_backend, spherepair
+from test_cuda_arrays import REASON as NO_CUDA
 
 SPARSE = np.random.default_rng(43).uniform(0, 100, (140_000, 3))
 
@@ -47,9 +48,21 @@ class Sizes(Case):
         grown(5)
         self.assertLess(grown(20), 25.0, "MiB: one list of these has about 7")
 
+    @unittest.skipIf(NO_CUDA, NO_CUDA)
     def test_46_capture_and_replay(self):
         """pyg-team/pyg-lib#673"""
-        self.skipTest("graphs need arrays in a device's memory, which are not read today")
+        import torch
+        x = torch.rand((500, 3), device="cuda")
+        plan = spherepair.Plan(x, 0.2, capacity=100_000)
+        plan.fill(x)
+        graph = torch.cuda.CUDAGraph()
+        with torch.cuda.graph(graph):
+            out = plan.fill(x)
+        for _ in range(3):
+            x.uniform_()
+            graph.replay()
+            i, j = spherepair.neighbor_list("ij", x, 0.2)
+            self.assertTrue(torch.equal(out.i, i) and torch.equal(out.j, j))
 
     @every_backend
     def test_47_mixed_radii(self, context):
