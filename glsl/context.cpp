@@ -17,6 +17,8 @@ namespace {
 // libepoxy's own wrappers abort before a display exists, so these come from EGL itself.
 template <typename Function>
 Function egl_function(const char* name) {
+  if (!eglGetProcAddress)
+    throw BackendError("opengl: libepoxy.so.0 is missing, or older than 1.5; install libepoxy0 (Fedora: libepoxy)");
   const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
   if (!function)
     throw BackendError(fmt::format(

@@ -30,6 +30,14 @@ if(CMAKE_BUILD_TYPE OR TARGET spherepair OR TARGET spherepair_tests)
   message(FATAL_ERROR "spherepair changes the build type, or builds its program or tests in another project")
 endif()
 """
+HIDES_EPOXY = """#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <string.h>
+void* dlopen(const char* name, int mode) {
+  if (name && strstr(name, "libepoxy")) return 0;
+  return ((void* (*)(const char*, int))dlsym(RTLD_NEXT, "dlopen"))(name, mode);
+}
+"""
 
 
 def run(*words, **options):
@@ -89,6 +97,23 @@ class Install(unittest.TestCase):
 
     def test_the_library_exports_its_calls_alone(self):
         self.assertEqual(declared(), exported(self.library))
+
+    def test_the_library_needs_nothing_but_the_compilers_libraries(self):
+        needed = re.findall(r"\(NEEDED\).*\[([\w+-]+)\.so", run("readelf", "--dynamic", self.library))
+        self.assertIn("libc", needed)
+        allowed = {"libc", "libm", "libdl", "libpthread", "librt", "ld-linux-x86-64", "ld-linux-aarch64", "libstdc++", "libgcc_s"}
+        self.assertEqual(set(), set(needed) - allowed - {"libgomp", "libomp"})
+
+    def test_without_libepoxy_opengl_alone_is_missing(self):
+        hides = self.folder / "hides.so"
+        run(CC, "-shared", "-fPIC", "-x", "c", "-", "-o", hides, "-ldl", input=HIDES_EPOXY)
+        environment = {**os.environ, "SPHEREPAIR_LIBRARY": str(self.library), "PYTHONPATH": str(ROOT / "python")}
+        said = [run(sys.executable, "-B", "-c", "import spherepair; print(spherepair.backends())",
+                    env={**environment, "LD_PRELOAD": preloaded}) for preloaded in ("", str(hides))]
+        self.assertNotIn("libepoxy", said[0])
+        self.assertIn("'cpu': None", said[1])
+        if "opengl: not in this build" not in said[0]:
+            self.assertIn("opengl: libepoxy.so.0 is missing", said[1])
 
     def test_another_export_is_noticed(self):
         other = self.folder / "other.so"
