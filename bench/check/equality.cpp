@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "bench/io/file_bytes.h"
 #include "bench/io/scene_text.h"
+#include "common/files/file_bytes.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {

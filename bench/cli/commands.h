@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "bench/formats/start.h"
-#include "bench/image/antialiased_image.h"
 #include "bench/options/command.h"
 #include "bench/options/options.h"
 #include "bench/run/run_options.h"
 #include "bench/tables/plan.h"
+#include "common/image/antialiased_image.h"
 
 namespace spherepair {
 

@@ -104,11 +104,7 @@ void check_render_options(const RenderOptions& options) {
   if (options.frames && by == ColourBy::speed)
     throw std::invalid_argument("--color speed: the spheres of a file's frames have no speeds");
   if (!options.colour_range) return;
-  const auto& [low, high] = *options.colour_range;
-  if (by != ColourBy::speed && by != ColourBy::radius)
-    throw std::invalid_argument(fmt::format("--color-range is of radius and speed, not of {}: omit it", name_of(by)));
-  if (!(low >= 0 && low < high))
-    throw std::invalid_argument(fmt::format("--color-range is {},{}, but must ascend from 0 or more", low, high));
+  check_colour_range(by, options.colour_range->front(), options.colour_range->back());
 }
 
 void add_render(CLI::App& app, CommandLine& line, Action& action) {

@@ -19,11 +19,11 @@
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
-#include "bench/io/file_bytes.h"
 #include "bench/io/scene_text.h"
 #include "bench/options/options.h"
 #include "bench/studies/study_sampling.h"
 #include "bench/studies/sweep_point.h"
+#include "common/files/file_bytes.h"
 #include "common/scene/counted.h"
 #include "common/shared/hash.h"
 

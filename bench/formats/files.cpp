@@ -7,7 +7,7 @@
 
 #include "bench/io/context.h"
 #include "bench/io/interruption.h"
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 namespace spherepair {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "bench/formats/files.h"
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 namespace spherepair {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 namespace spherepair {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/formats/checkpoint.h"
 #include "bench/io/scene_text.h"
 #include "bench/spheres/sphere_file.h"
+#include "common/files/checkpoint.h"
 
 namespace spherepair {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {

@@ -16,19 +16,15 @@ double radius_of(const Start& start, const vec4& sphere) {
 }  // namespace
 
 std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state) {
-  std::vector<double> values(state.positions.size());
-  if (by == ColourBy::contacts) std::ranges::copy(backend.counts(), values.begin());
+  std::vector<double> values = values_of(by, backend, state);
   if (by == ColourBy::species) {
     if (start.species_index.size() != values.size())
       throw std::invalid_argument(
           fmt::format("--color species: {} has no species: a file with a column of names or types has", start.label));
     std::ranges::copy(start.species_index, values.begin());
   }
-  for (size_t i = 0; i < values.size(); ++i) {
-    const vec4& v = state.velocities[i];
-    if (by == ColourBy::radius) values[i] = radius_of(start, state.positions[i]);
-    if (by == ColourBy::speed) values[i] = std::hypot(double(v.x), double(v.y), double(v.z));
-  }
+  if (by == ColourBy::radius)
+    for (double& radius : values) radius = std::ldexp(radius, -start.length_exponent);
   return values;
 }
 

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "bench/formats/start.h"
-#include "bench/image/colouring.h"
+#include "common/image/colouring.h"
 
 namespace spherepair {
 
-// A value for each sphere of the backend: contacts of the last collide(), radius in metres, speed in m/s, or index into
-// Start::species.
+// The values of colouring.h: for radii in the start's unit of length, for species the index into Start::species.
 std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state);
 
 // The range of speeds for a video's colours: from 0 to the 98 % quantile; the fastest 2 % share the last colour.

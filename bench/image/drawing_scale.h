@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/formats/start.h"
-#include "bench/image/antialiased_image.h"
+#include "common/image/antialiased_image.h"
 
 namespace spherepair {
 

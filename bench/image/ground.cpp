@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/image/antialiased_image.h"
 #include "common/scene/known_name.h"
 
 namespace spherepair {
@@ -49,24 +50,18 @@ void place_ground(Look& look, const std::string& wanted, const std::vector<Start
   const Start& first = starts.front();
   const std::string ground = !wanted.empty() ? wanted : first.at_rest ? "lowest" : "plane";
   if (ground == "none") return;
-  look.lighting |= LIGHT_GROUND;
   if (ground == "plane") {
     if (first.at_rest)
       throw std::invalid_argument(
           fmt::format("--ground plane: the spheres of {} are at rest and have no plane; give lowest", first.label));
-    look.ground_normal = {0, 1, 0};  // for any up direction of the camera
-    look.ground = double(first.scene.plane);
-    return;
+    return put_ground(look, {0, 1, 0}, double(first.scene.plane));  // for any up direction of the camera
   }
   const double length = std::hypot(up[0], up[1], up[2]);
-  look.ground_normal = {up[0] / length, up[1] / length, up[2] / length};
-  if (ground != "lowest") {
-    look.ground = height_of(ground);
-    return;
-  }
-  look.ground = lowest_of(spheres, look.ground_normal);
-  for (size_t k = 1; k < starts.size(); ++k)
-    look.ground = std::min(look.ground, lowest_of(starts[k].scene.positions, look.ground_normal));
+  const Vector normal = {up[0] / length, up[1] / length, up[2] / length};
+  if (ground != "lowest") return put_ground(look, normal, height_of(ground));
+  double height = lowest_of(spheres, normal);
+  for (size_t k = 1; k < starts.size(); ++k) height = std::min(height, lowest_of(starts[k].scene.positions, normal));
+  put_ground(look, normal, height);
 }
 
 }  // namespace spherepair

@@ -8,7 +8,7 @@
 
 #include "bench/formats/files.h"
 #include "bench/formats/png_file.h"
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
 
 namespace spherepair {
 namespace {

@@ -10,6 +10,35 @@
 namespace spherepair {
 namespace {
 
+json to_json(vec4 v) { return {v.x, v.y, v.z, v.w}; }
+json to_json(uvec4 v) {
+  json list = json::array();
+  for (const uint colour : {v.x, v.y, v.z, v.w}) list.push_back(fmt::format("{:06X}", colour));
+  return list;
+}
+
+json to_json(const Camera& camera) {
+  return {{"eye", camera.eye},
+          {"target", camera.target},
+          {"up", camera.up},
+          {"field_degrees", camera.field},
+          {"near", camera.near}};
+}
+
+json to_json(const View& view) {
+  return {{"eye_and_near", to_json(view.eye)},
+          {"right", to_json(view.right)},
+          {"up", to_json(view.up)},
+          {"forward", to_json(view.forward)},
+          {"light_and_ambient", to_json(view.light)},
+          {"focal", view.focal},
+          {"centre", {view.centre_x, view.centre_y}},
+          {"palette", {to_json(view.palette_0), to_json(view.palette_4)}},
+          {"background", fmt::format("{:06X}", view.background)},
+          {"lighting", view.lighting},
+          {"ground", to_json(view.ground)}};
+}
+
 // How the spheres reached OpenGL; null if there was no transfer.
 json transfer_taken(const Backend& backend) {
   const auto taken = backend.transfer_taken();

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bench/formats/start.h"
-#include "bench/image/antialiased_image.h"
 #include "bench/legend/legend.h"
+#include "common/image/antialiased_image.h"
 
 namespace spherepair {
 

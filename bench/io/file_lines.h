@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
 
 namespace spherepair {
 

@@ -12,6 +12,8 @@
 #include <mutex>
 #include <vector>
 
+#include "common/files/replaced_file.h"
+
 namespace spherepair {
 namespace {
 
@@ -99,14 +101,7 @@ void catch_signals() {
   }
 }
 
-}  // namespace
-
-void handle_interruption(const std::string& name) {
-  command.set(name);
-  on_terminal = ::isatty(STDERR_FILENO) != 0;
-  catch_signals();
-}
-
+// A signal removes this file.
 void keep_temporary(const std::string& file) {
   catch_signals();
   keep(temporaries, file);
@@ -118,6 +113,19 @@ void forget_temporary(const std::string& file) {
     each.ready = false;
     each.taken = false;
   }
+}
+
+void note_written(const fs::path& file) { written.set(file.string()); }
+
+// In every program that links this file.
+[[maybe_unused]] const bool listens = (tell_of_files({keep_temporary, forget_temporary, note_written}), true);
+
+}  // namespace
+
+void handle_interruption(const std::string& name) {
+  command.set(name);
+  on_terminal = ::isatty(STDERR_FILENO) != 0;
+  catch_signals();
 }
 
 void make_folder(const fs::path& folder) {
@@ -132,8 +140,6 @@ void remove_empty_folders() {
   for (size_t k = new_folders.size(); k-- > 0;)
     if (new_folders[k].ready) ::rmdir(new_folders[k].text.data());
 }
-
-void note_written(const fs::path& file) { written.set(file.string()); }
 
 void note_resumable(const std::string& sentence) { resumable.set(sentence); }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cleans up when a signal ends the program. SIGINT, SIGTERM and SIGHUP remove its temporary files and the still empty
-// folders that it made. They print on standard error what was interrupted and what is kept, and then end the program as
-// usual. A signal that is ignored stays ignored.
+// folders that it made. They print on standard error what was interrupted and which file was written last, or
+// the last folder made, and then end the program as usual. replaced_file.h tells of these files. A signal that is
+// ignored stays ignored.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +13,9 @@ namespace spherepair {
 // Catches the signals; the message names this command.
 void handle_interruption(const std::string& command);
 
-// A signal removes this file.
-void keep_temporary(const std::string& file);
-void forget_temporary(const std::string& file);
-
 // Creates the folder and those above it. Throws std::filesystem::filesystem_error.
 void make_folder(const std::filesystem::path& folder);
 void remove_empty_folders();  // removes the empty folders that make_folder made
-
-// Notes a complete file that stays. For a file in the last folder made, the message names the folder.
-void note_written(const std::filesystem::path& file);
 
 // A sentence that says how to continue a run that is interrupted from now on; the message has it in place of the last
 // file.

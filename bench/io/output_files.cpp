@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 namespace spherepair {
 namespace {

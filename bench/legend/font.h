@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bench/legend/canvas.h"
+#include "common/image/canvas.h"
 
 namespace spherepair {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/image/colouring.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -13,16 +14,6 @@ namespace spherepair {
 // Labels of the palette's entries: numbers of contacts, or the least speed or radius of each; for the first entry the
 // greatest.
 std::vector<std::string> legend_labels(const Look& look);
-
-struct LegendKey {
-  uint colour;  // 0xRRGGBB
-  std::string label;
-};
-struct Legend {
-  std::string title;  // with its unit
-  std::vector<LegendKey> keys;
-  std::vector<std::string> facts;
-};
 
 Legend legend_of(const Look& look, const std::vector<std::string>& facts);  // of contacts, speeds or radii
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
 
 namespace spherepair {
 

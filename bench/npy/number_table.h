@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "bench/io/file_bytes.h"
 #include "bench/text/column_names.h"
+#include "common/files/file_bytes.h"
 
 namespace spherepair {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 namespace spherepair {
 namespace {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "bench/check/contact_statistics.h"
-#include "bench/io/file_bytes.h"
 #include "bench/io/numbers.h"
 #include "bench/output/sphere_output.h"
+#include "common/files/file_bytes.h"
 #include "common/scene/contact_scene.h"
 
 namespace spherepair {

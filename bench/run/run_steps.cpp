@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "bench/check/finite_state.h"
-#include "bench/formats/checkpoint.h"
 #include "bench/io/interruption.h"
 #include "bench/run/run_files.h"
+#include "common/files/checkpoint.h"
 
 namespace spherepair {
 namespace {

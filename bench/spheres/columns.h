@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "bench/io/file_bytes.h"
 #include "bench/text/column_names.h"
+#include "common/files/file_bytes.h"
 
 namespace spherepair {
 

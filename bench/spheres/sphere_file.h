@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "bench/io/file_bytes.h"
 #include "bench/io/report.h"
 #include "bench/spheres/rounding.h"
+#include "common/files/file_bytes.h"
 #include "common/lists/list_problem.h"
 #include "common/scene/scene.h"
 

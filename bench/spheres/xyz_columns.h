@@ -2,9 +2,9 @@
 // Reads the columns, the box and other facts from the comment line of an XYZ file.
 #pragma once
 
-#include "bench/io/file_bytes.h"
 #include "bench/text/column_names.h"
 #include "bench/text/xyz_comment.h"
+#include "common/files/file_bytes.h"
 #include "common/lists/list_problem.h"
 #include "common/scene/contact/contact_options.h"
 

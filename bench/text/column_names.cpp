@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "bench/io/file_bytes.h"
 #include "bench/text/fields.h"
 #include "bench/text/known_columns.h"
+#include "common/files/file_bytes.h"
 #include "common/scene/known_name.h"
 
 namespace spherepair {

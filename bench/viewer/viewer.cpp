@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "bench/check/finite_state.h"
-#include "bench/image/box_edges.h"
 #include "bench/measure/choice.h"
+#include "common/image/box_edges.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {

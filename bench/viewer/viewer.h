@@ -6,13 +6,13 @@
 #include <filesystem>
 
 #include "bench/formats/start.h"
-#include "bench/image/antialiased_image.h"
-#include "bench/image/image_samples.h"
 #include "bench/measure/session.h"
 #include "bench/viewer/history.h"
 #include "bench/viewer/orbit.h"
 #include "bench/viewer/pace.h"
 #include "bench/viewer/window.h"
+#include "common/image/antialiased_image.h"
+#include "common/image/image_samples.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/legend/canvas.h"
 #include "common/backend/window_context.h"
+#include "common/image/canvas.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checkpoints on disk (row 30 of the stress catalogue): the same bits after a pause, and a damaged or truncated file
 // refused by the name of what is wrong with it.
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/sphere_files.h"
 

@@ -10,7 +10,7 @@
 #include <csignal>
 #include <functional>
 
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 #include "tests/support/sphere_files.h"
 
 namespace {

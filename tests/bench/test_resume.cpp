@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 #include "tests/oracle/adversarial.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/program.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "bench/formats/png_file.h"
-#include "bench/image/box_edges.h"
 #include "bench/legend/legend.h"
 #include "bench/viewer/viewer.h"
+#include "common/image/box_edges.h"
 #include "tests/support/scripted_window.h"
 #include "tests/support/sphere_files.h"
 

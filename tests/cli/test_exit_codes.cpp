@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bench/cli/commands.h"
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
 #include "tests/support/program.h"
 
 namespace spherepair {

@@ -3,7 +3,7 @@
 // step.
 #include <fmt/format.h>
 
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 #include "tests/support/motion_runs.h"
 #include "tests/support/program.h"
 

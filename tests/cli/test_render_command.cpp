@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "bench/cli/commands.h"
-#include "bench/image/box_edges.h"
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
+#include "common/image/box_edges.h"
 #include "tests/support/images.h"
 #include "tests/support/sphere_files.h"
 

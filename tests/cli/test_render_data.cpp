@@ -10,7 +10,7 @@
 #include <set>
 
 #include "bench/cli/commands.h"
-#include "bench/image/colouring.h"
+#include "common/image/colouring.h"
 #include "tests/support/images.h"
 #include "tests/support/sphere_files.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checkpoints: refused, or gone on with on the CPU backend, saved and read again. Each input is read as it stands and
 // with its checksums made right, so that mutations get behind them.
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/sphere_files.h"

@@ -126,10 +126,10 @@ CPU = [
 ]
 
 CHECKPOINT = [
-    mutant("checksums are not compared", "bench/formats/checkpoint.cpp", "if (given != wanted)", "if (false)", "Checkpoint"),
-    mutant("velocities are not saved", "bench/formats/checkpoint.cpp", 'visit("velocities", checkpoint.scene.velocities);',
+    mutant("checksums are not compared", "common/files/checkpoint.cpp", "if (given != wanted)", "if (false)", "Checkpoint"),
+    mutant("velocities are not saved", "common/files/checkpoint.cpp", 'visit("velocities", checkpoint.scene.velocities);',
            'visit("velocities", checkpoint.scene.positions);', "Checkpoint"),
-    mutant("restitution is not restored", "bench/formats/checkpoint.cpp", "scene.restitution = header.restitution", "scene.restitution = 1",
+    mutant("restitution is not restored", "common/files/checkpoint.cpp", "scene.restitution = header.restitution", "scene.restitution = 1",
            "Checkpoint"),
     mutant("statistics at wrong steps", "bench/run/run_steps.h", "step_ % every == 0", "step_ % every == 1", "StatisticsOption"),
     mutant("energy of half a step before", "bench/check/contact_statistics.cpp", "double(before.px) + double(after.px)",
@@ -149,7 +149,7 @@ CHECKPOINT = [
     mutant("an option without effect is taken", "bench/options/unused_options.cpp", "if (unused && has(option))", "if (false)", "CommandLineTest"),
     mutant("a fraction of a sphere is left out", "bench/io/numbers.cpp", "decimals > zeros", "false", "CommandLineTest",
            "OptionLimits"),
-    mutant("a killed run leaves half a file", "bench/io/replaced_file.cpp", "nameless_ = descriptor_ >= 0;",
+    mutant("a killed run leaves half a file", "common/files/replaced_file.cpp", "nameless_ = descriptor_ >= 0;",
            "nameless_ = descriptor_ >= 0; if (nameless_) { ::close(descriptor_); nameless_ = false; open_temporary(); }",
            "ReplacedFile"),
 ]
@@ -169,13 +169,13 @@ COMMANDS = [
     mutant("spheres are written in six digits", "bench/output/sphere_output.cpp", '"{}{}\\n", format.species',
            '"{}{:.6g}\\n", format.species', "SphereOutput"),
     mutant("an input may be an output", "bench/io/output_files.cpp", "if (other != uses_.end() &&", "if (false &&", "Outputs"),
-    mutant("bytes reach the disk later", "bench/io/replaced_file.cpp",
+    mutant("bytes reach the disk later", "common/files/replaced_file.cpp",
            "if ((nameless_ || !temporary_.empty()) && ::fsync(descriptor_) != 0) fail(errno);", "", "ReplacedFile"),
     mutant("NUL bytes are taken", "bench/io/file_lines.h", 'file.fail_at_line(uint64_t(lines_before) + 1, "text", "a NUL byte");',
            "", "ReadErrors"),
     mutant("a full device is no error", "bench/options/run_action.cpp", "if (std::fflush(stdout) == 0 && !std::ferror(stdout))",
            "if (true)", "ExitCodes"),
-    mutant("equal radii as the header says", "bench/formats/checkpoint_check.cpp",
+    mutant("equal radii as the header says", "common/files/checkpoint_check.cpp",
            "(scene_.equal_radii && radius(i) != radius(0))", "false", "Checkpoint"),
 ]
 
@@ -220,9 +220,9 @@ DRAWING = [
     mutant("the sun is never below", "common/shared/light.h", "bool ascends = along > 0.0f;", "bool ascends = true;",
            "Draw"),
     mutant("the ground of a film is that of its first frame", "bench/image/ground.cpp",
-           "std::min(look.ground, lowest_of(starts[k].scene.positions, look.ground_normal))", "look.ground", "RenderData"),
+           "height = std::min(height, lowest_of(starts[k].scene.positions, normal));", "(void)k;", "RenderData"),
     mutant("a blank image passes", "bench/cli/render.cpp", "if (some || k > 0) return;", "return;", "RenderData"),
-    mutant("OpenGL's images lack the ground", "bench/image/antialiased_image.cpp",
+    mutant("OpenGL's images lack the ground", "common/image/antialiased_image.cpp",
            "if (!ground.empty()) image[k] = ground[k];", "", "RenderData"),
     mutant("scrolling does not zoom", "bench/viewer/orbit.cpp", "std::pow(0.9, notches)", "1.0", "ViewerInput"),
     mutant("panning goes the wrong way", "bench/viewer/orbit.cpp", "pixels[1] * up.x - pixels[0] * right.x",
@@ -230,7 +230,7 @@ DRAWING = [
     mutant("time passes in a pause", "bench/viewer/viewer.cpp", "if (paused_) pace_.hold();", "", "ViewerClock"),
     mutant("a saved image replaces another", "bench/viewer/viewer_panel.cpp", "if (!fs::exists(", "if (true || !fs::exists(",
            "ViewerImages"),
-    mutant("edges on a near side are pale", "bench/image/box_edges.cpp", "!faces_camera(from, (axis + 1) % 3) && ", "",
+    mutant("edges on a near side are pale", "common/image/box_edges.cpp", "!faces_camera(from, (axis + 1) % 3) && ", "",
            "ViewerImages"),
 ]
 

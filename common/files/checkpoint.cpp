@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <cstring>
 
-#include "bench/formats/checkpoint_check.h"
-#include "bench/io/file_bytes.h"
-#include "bench/io/replaced_file.h"
-#include "bench/io/report.h"
+#include "common/files/checkpoint_check.h"
+#include "common/files/replaced_file.h"
 #include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
 #include "common/shared/hash.h"
@@ -55,7 +53,7 @@ void visit_all(Any& checkpoint, Visit visit) {
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& path) : file_(path) {}
+  explicit Reader(const FileBytes& file) : file_(file) {}
 
   std::string_view take(uint64_t bytes, const std::string& what) {
     item_ = at_;
@@ -75,7 +73,7 @@ class Reader {
   void verify(std::string_view bytes, const std::string& what) {
     const uint64_t given = number<uint64_t>("the checksum of the " + what), wanted = checksum(bytes);
     if (given != wanted)
-      fail(fmt::format("the checksum {} of the {}", hex64(wanted), what), hex64(given) + ": damaged");
+      fail(fmt::format("the checksum {:016x} of the {}", wanted, what), fmt::format("{:016x}: damaged", given));
   }
   void finish() {
     item_ = at_;
@@ -87,7 +85,7 @@ class Reader {
   }
 
  private:
-  FileBytes file_;
+  const FileBytes& file_;
   uint64_t at_ = 0, item_ = 0;
 };
 
@@ -170,7 +168,14 @@ uint64_t checksum(std::string_view bytes) {
   return sum;
 }
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+uint64_t checkpoint_bytes(const Checkpoint& checkpoint) {
+  const bool contacts = checkpoint.scene.contact.law != ContactLaw::none;
+  uint64_t bytes = sizeof(Header) + (contacts ? sizeof(ContactHeader) : 0) + checkpoint.scene.name.size() + 8;
+  visit_all(checkpoint, [&](const std::string&, const auto& part) { bytes += part.size() * sizeof part[0] + 16; });
+  return bytes;
+}
+
+void write_checkpoint(const Checkpoint& checkpoint, const std::function<void(std::string_view)>& write) {
   const Scene& scene = checkpoint.scene;
   const bool contacts = scene.contact.law != ContactLaw::none;
   Header header{{},
@@ -190,21 +195,25 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   const ContactHeader contact = header_of(scene.contact);
   const std::string start =
       std::string(bytes_of(&header)) + std::string(contacts ? bytes_of(&contact) : "") + scene.name;
-  ReplacedFile file(path);
-  const auto write_number = [&](uint64_t number) { file.write(bytes_of(&number)); };
-  file.write(start);
+  const auto write_number = [&](uint64_t number) { write(bytes_of(&number)); };
+  write(start);
   write_number(checksum(start));
   visit_all(checkpoint, [&](const std::string&, const auto& part) {
     const std::string_view bytes = bytes_of(part.data(), part.size());
     write_number(bytes.size());
-    file.write(bytes);
+    write(bytes);
     write_number(checksum(bytes));
   });
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  ReplacedFile file(path);
+  write_checkpoint(checkpoint, [&](std::string_view bytes) { file.write(bytes); });
   file.commit();
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  Reader reader(path);
+Checkpoint read_checkpoint(const FileBytes& file) {
+  Reader reader(file);
   const Header header = read_header(reader);
   Checkpoint checkpoint;
   Scene& scene = checkpoint.scene;
@@ -234,7 +243,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   });
   reader.finish();
   if (contacts && bytes < offsetof(ContactHeader, density)) scene.contact.skin = skin_of(scene);
-  check_contents(checkpoint, path.string());
+  check_contents(checkpoint, file.name());
   return checkpoint;
 }
 

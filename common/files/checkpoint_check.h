@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bench/formats/checkpoint.h"
+#include "common/files/checkpoint.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/formats/checkpoint_check.h"
+#include "common/files/checkpoint_check.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of a run on disk, from which any backend continues to the same bits.
+// The state of a run in a file or in memory, from which any backend continues to the same bits.
 //
 // The file is little-endian. First 8 bytes "SPHCHECK", then as 32-bit numbers the version (1), the motion method, the
 // precision, the steps that `anchored` counts, whether all radii are equal, and the length of the scene's name; as
@@ -12,8 +12,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
+#include "common/files/file_bytes.h"
 #include "common/scene/motion_state.h"
 
 namespace spherepair {
@@ -27,7 +29,12 @@ struct Checkpoint {
 // Atomically replaces the file. Both throw std::invalid_argument naming the file and the error: not a checkpoint,
 // another version, inconsistent contents, or the part that is truncated or damaged.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
-Checkpoint read_checkpoint(const std::filesystem::path& path);
+Checkpoint read_checkpoint(const FileBytes& file);
+inline Checkpoint read_checkpoint(const std::filesystem::path& path) { return read_checkpoint(FileBytes(path)); }
+
+// The bytes of such a file: their number, and calls of write() with one part after another.
+uint64_t checkpoint_bytes(const Checkpoint& checkpoint);
+void write_checkpoint(const Checkpoint& checkpoint, const std::function<void(std::string_view)>& write);
 
 // The checksum after the header and after each part.
 uint64_t checksum(std::string_view bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/io/file_bytes.h"
+#include "common/files/file_bytes.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/image_samples.h"
+#include "common/image/image_samples.h"
 
 namespace spherepair {
 

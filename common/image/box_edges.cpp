@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/box_edges.h"
+#include "common/image/box_edges.h"
 
-#include "bench/legend/canvas.h"
+#include "common/image/canvas.h"
 
 namespace spherepair {
 namespace {

@@ -9,10 +9,18 @@
 
 namespace spherepair {
 
+// What a program is told about files: by default nothing.
+struct FileNews {
+  void (*temporary)(const std::string& file);          // made, to be removed if the program ends early
+  void (*forgotten)(const std::string& file);          // that temporary file is removed or has its name
+  void (*written)(const std::filesystem::path& file);  // a whole file
+};
+void tell_of_files(const FileNews& news);
+
 // Writes an unnamed file; commit() syncs it and gives it its name. Until then an existing file of that name is
 // unchanged, and without commit() nothing remains, even if the program is killed. (On file systems without unnamed
-// files it is a temporary file in the same folder. Signals remove it (interruption.h), except SIGKILL.) Pipes and
-// devices are written directly. Throws std::invalid_argument.
+// files it is a temporary file in the same folder. In the program signals remove it (bench/io/interruption.h), except
+// SIGKILL.) Pipes and devices are written directly. Throws std::invalid_argument.
 class ReplacedFile {
  public:
   explicit ReplacedFile(const std::filesystem::path& path);

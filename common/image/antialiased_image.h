@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "bench/io/report.h"
 #include "common/backend/backend.h"
 #include "common/scene/camera.h"
 
@@ -40,7 +39,7 @@ std::array<double, 2> jitter(uint k, uint samples);
 DrawnImage draw_image(Backend& backend, const ImageOptions& options);
 DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // sample k of that image
 
-json to_json(const Camera& camera);
-json to_json(const View& view);  // all parameters of the draw
+// Puts a ground at this height along the upward normal, metres.
+void put_ground(Look& look, const Vector& normal, double height);
 
 }  // namespace spherepair

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/antialiased_image.h"
-
-#include <fmt/format.h>
+#include "common/image/antialiased_image.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "bench/image/box_edges.h"
-#include "bench/image/image_samples.h"
+#include "common/image/box_edges.h"
+#include "common/image/image_samples.h"
 #include "common/shared/light.h"
 
 namespace spherepair {
 namespace {
 
 Vector vector_of(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
-json to_json(vec4 v) { return {v.x, v.y, v.z, v.w}; }
-json to_json(uvec4 v) {
-  json list = json::array();
-  for (const uint colour : {v.x, v.y, v.z, v.w}) list.push_back(fmt::format("{:06X}", colour));
-  return list;
-}
 
 constexpr double nothing = std::numeric_limits<double>::infinity();
 
@@ -102,26 +94,10 @@ DrawnImage draw_image(Backend& backend, const ImageOptions& options) {
   return {samples.mean(), blank};
 }
 
-json to_json(const Camera& camera) {
-  return {{"eye", camera.eye},
-          {"target", camera.target},
-          {"up", camera.up},
-          {"field_degrees", camera.field},
-          {"near", camera.near}};
-}
-
-json to_json(const View& view) {
-  return {{"eye_and_near", to_json(view.eye)},
-          {"right", to_json(view.right)},
-          {"up", to_json(view.up)},
-          {"forward", to_json(view.forward)},
-          {"light_and_ambient", to_json(view.light)},
-          {"focal", view.focal},
-          {"centre", {view.centre_x, view.centre_y}},
-          {"palette", {to_json(view.palette_0), to_json(view.palette_4)}},
-          {"background", fmt::format("{:06X}", view.background)},
-          {"lighting", view.lighting},
-          {"ground", to_json(view.ground)}};
+void put_ground(Look& look, const Vector& normal, double height) {
+  look.lighting |= LIGHT_GROUND;
+  look.ground_normal = normal;
+  look.ground = height;
 }
 
 }  // namespace spherepair

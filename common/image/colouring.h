@@ -2,17 +2,33 @@
 // Chooses the colours of spheres from the range of the data, and the labels of the legend.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "bench/legend/legend.h"
+#include "common/backend/backend.h"
+#include "common/scene/camera.h"
 
 namespace spherepair {
+
+struct LegendKey {
+  uint colour;  // 0xRRGGBB
+  std::string label;
+};
+struct Legend {
+  std::string title;  // with its unit
+  std::vector<LegendKey> keys;
+  std::vector<std::string> facts;
+};
 
 enum class ColourBy { contacts, radius, speed, species };
 ColourBy colour_by_name(const std::string& name);  // throws std::invalid_argument with the known names
 const char* name_of(ColourBy by);
+
+// Throws std::invalid_argument unless colours by this quantity can have the range, which ascends from 0 or more.
+void check_colour_range(ColourBy by, double low, double high);
+
+// A value for each sphere: contacts of the last collide(), radius in metres, or speed in m/s.
+std::vector<double> values_of(ColourBy by, Backend& backend, const Backend::State& state);
 
 class Colouring {
  public:

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bench/legend/canvas.h"
+#include "common/image/canvas.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/legend/canvas.h"
+#include "common/image/canvas.h"
 
 namespace spherepair {
 

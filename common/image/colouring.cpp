@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/image/colouring.h"
+#include "common/image/colouring.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +40,24 @@ ColourBy colour_by_name(const std::string& name) {
   throw std::invalid_argument("--color: " + unknown_name("quantity", name, {known.begin(), known.end()}));
 }
 const char* name_of(ColourBy by) { return known[size_t(by)]; }
+
+void check_colour_range(ColourBy by, double low, double high) {
+  if (by != ColourBy::speed && by != ColourBy::radius)
+    throw std::invalid_argument(fmt::format("--color-range is of radius and speed, not of {}: omit it", name_of(by)));
+  if (!(low >= 0 && low < high))
+    throw std::invalid_argument(fmt::format("--color-range is {},{}, but must ascend from 0 or more", low, high));
+}
+
+std::vector<double> values_of(ColourBy by, Backend& backend, const Backend::State& state) {
+  std::vector<double> values(state.positions.size());
+  if (by == ColourBy::contacts) std::ranges::copy(backend.counts(), values.begin());
+  for (size_t i = 0; i < values.size(); ++i) {
+    const vec4& v = state.velocities[i];
+    if (by == ColourBy::radius) values[i] = double(state.positions[i].w);
+    if (by == ColourBy::speed) values[i] = std::hypot(double(v.x), double(v.y), double(v.z));
+  }
+  return values;
+}
 
 Colouring::Colouring(ColourBy by, const std::vector<double>& values, const std::string& unit, bool clipped)
     : title_(by == ColourBy::contacts ? "contacts" : fmt::format("{}{}", name_of(by), unit)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/io/replaced_file.h"
+#include "common/files/replaced_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,12 +12,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/io/interruption.h"
-
 namespace spherepair {
 namespace {
 
 namespace fs = std::filesystem;
+
+constinit FileNews told = {[](const std::string&) {}, [](const std::string&) {}, [](const fs::path&) {}};
 
 // /dev/stdout may link to a regular file that is already open: replacing it would detach its writers.
 bool names_open_file(const fs::path& path) {
@@ -45,6 +45,8 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
+void tell_of_files(const FileNews& news) { told = news; }
+
 fs::path follow_links(const fs::path& path) try {
   fs::path target = path;
   while (replaceable(target) && fs::is_symlink(target)) target = target.parent_path() / fs::read_symlink(target);
@@ -70,7 +72,7 @@ ReplacedFile::~ReplacedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (temporary_.empty()) return;
   ::unlink(temporary_.c_str());
-  forget_temporary(temporary_);
+  told.forgotten(temporary_);
 }
 
 // Never the name of an existing file: it may belong to another process.
@@ -78,7 +80,7 @@ bool ReplacedFile::take_temporary_name(const std::function<bool(const std::strin
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = target_.string() + ".new" + (attempt ? std::to_string(attempt) : "");
     if (take(name)) {
-      keep_temporary(temporary_ = name);
+      told.temporary(temporary_ = name);
       return true;
     }
     if (errno != EEXIST) return false;
@@ -120,9 +122,9 @@ void ReplacedFile::commit() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  forget_temporary(temporary_);
+  told.forgotten(temporary_);
   temporary_.clear();
-  note_written(path_);
+  told.written(path_);
   sync_folder(folder_of(target_));
 }
 
