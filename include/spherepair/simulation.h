@@ -63,10 +63,54 @@ SP_API sp_status sp_simulation_state(sp_simulation* simulation, const sp_array* 
 /* Lists the pairs i < j of spheres that overlap now, sorted: columns first and second. sp_free frees the list. */
 SP_API sp_status sp_simulation_pairs(sp_simulation* simulation, sp_pairs** out);
 
-SP_API double sp_simulation_dt(const sp_simulation* simulation);      /* seconds of a step */
-SP_API uint64_t sp_simulation_steps(const sp_simulation* simulation); /* made so far */
+/* Writes a checkpoint to a file: all that later steps depend on. A file of that name is replaced once the new one is
+ * whole. `spherepair run --resume` reads it, too. Fails with SP_E_ARGUMENT if the file cannot be written. */
+SP_API sp_status sp_simulation_save(sp_simulation* simulation, const char* file);
 
-/* Why the last call failed. NULL: why this thread's last sp_simulation_open failed. */
+/* Writes the same bytes to `bytes`, which has room for `room` of them. *size gets how many they are: equally many for
+ * every state of a simulation. Fails with SP_E_CAPACITY, and writes only *size, if there is no room for them; bytes
+ * may be NULL if room is 0. */
+SP_API sp_status sp_simulation_save_bytes(sp_simulation* simulation, void* bytes, size_t room, size_t* size);
+
+/* Opens a backend, named as for sp_open, and continues from a checkpoint. Any backend makes the same bits as a run
+ * without interruption. The program's checkpoints continue with their own motion and count of steps. On failure *out
+ * is NULL, and sp_simulation_message(NULL) has the reason: SP_E_ARGUMENT for a file that cannot be read, is no
+ * checkpoint, or is cut off, damaged or inconsistent; the message names the byte or the sphere. */
+SP_API sp_status sp_simulation_resume(const char* backend, const char* device, int32_t threads, const char* file,
+                                      sp_simulation** out);
+SP_API sp_status sp_simulation_resume_bytes(const char* backend, const char* device, int32_t threads, const void* bytes,
+                                            size_t size, sp_simulation** out);
+
+/* What an image shows. Set `size` to sizeof(sp_drawing), the rest to zero, then fill in what there is. Spheres whose
+ * radius is below 2^-30 m or above 2^50 m, or that are farther away than that, are not drawn. */
+typedef struct sp_drawing {
+  size_t size;
+  const double* eye;    /* 3 numbers, m: the place of the camera; NULL: where all spheres are in view */
+  const double* target; /* 3 numbers, m: the point that it looks at; NULL: the centre of the spheres' bounding box */
+  const double* up;     /* 3 numbers: its direction upwards; NULL: y */
+  double azimuth;       /* without eye: degrees around `up`, -360 to 360; for y from +z to +x */
+  double elevation;     /* without eye: degrees above the horizon, -90 to 90 */
+  double field;         /* of view, from the lower to the upper edge, degrees, below 180; 0: 30 */
+  double nearest;       /* m, least depth that is drawn; 0: a thousandth of the distance from eye to target */
+  const char* color;    /* "contacts", "radius" or "speed"; NULL: contacts */
+  const double* color_range; /* 2 numbers, 0 or more, ascending: radii in m or speeds in m/s with the first and the last
+                              * colour; NULL: those of the spheres now */
+  int32_t samples;           /* of each pixel, 1 to 1024; 0: 16 */
+  int32_t plain;             /* not 0: without ambient occlusion, shadows and the ground */
+  int32_t no_ground;         /* not 0: without the ground, which lies at the plane */
+} sp_drawing;
+
+/* Draws the spheres at their current positions, with the pixels of `spherepair render --no-box --no-legend`: the same
+ * on every backend. pixels: H rows of 4 W columns, U8, in the host's memory: red, green, blue, alpha (255) of the W
+ * pixels of a row, the upper row first. W and H are 1 to 16384. Strides are in bytes. Finds the pairs first, unless
+ * neither light nor colours need them. */
+SP_API sp_status sp_simulation_draw(sp_simulation* simulation, const sp_drawing* drawing, const sp_array* pixels);
+
+SP_API uint64_t sp_simulation_spheres(const sp_simulation* simulation); /* how many there are: N */
+SP_API double sp_simulation_dt(const sp_simulation* simulation);        /* seconds of a step */
+SP_API uint64_t sp_simulation_steps(const sp_simulation* simulation);   /* made so far, before a checkpoint, too */
+
+/* Why the last call failed. NULL: why this thread's last call failed that opens or resumes a simulation. */
 SP_API const char* sp_simulation_message(const sp_simulation* simulation);
 
 #ifdef __cplusplus

@@ -8,6 +8,9 @@
 #pragma once
 
 #include <spherepair/simulation.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <spherepair/spherepair.hpp>
 #include <vector>
 
@@ -32,6 +35,37 @@ struct Scene {
   std::optional<Walls> walls = {};
 };
 
+// What an image shows; sp_drawing explains each field.
+struct Drawing {
+  std::optional<std::array<double, 3>> eye = {}, target = {}, up = {};  // m; not given: all spheres in view, y upwards
+  std::optional<double> azimuth = {}, elevation = {};                   // degrees, without eye; not given: 30 and 15
+  double field = 30, nearest = 0;                                       // degrees; m, 0: chosen
+  std::string color = "contacts";                                       // or radius, speed
+  std::optional<std::array<double, 2>> color_range = {};                // m or m/s
+  int32_t samples = 16;                                                 // of each pixel
+  bool light = true, ground = true;                                     // occlusion and shadows; the plane, with light
+
+  // The C struct; it points into this one.
+  sp_drawing in_c() const {
+    const auto angle = [&](const std::optional<double>& given, double usual) {
+      return given.value_or(eye ? 0 : usual);
+    };
+    return {.size = sizeof(sp_drawing),
+            .eye = eye ? eye->data() : nullptr,
+            .target = target ? target->data() : nullptr,
+            .up = up ? up->data() : nullptr,
+            .azimuth = angle(azimuth, 30),
+            .elevation = angle(elevation, 15),
+            .field = field,
+            .nearest = nearest,
+            .color = color.c_str(),
+            .color_range = color_range ? color_range->data() : nullptr,
+            .samples = samples,
+            .plain = !light,
+            .no_ground = !ground};
+  }
+};
+
 // Moves a scene on a backend of its own. One thread at a time may use it. All members throw Error.
 class Simulation {
  public:
@@ -54,21 +88,52 @@ class Simulation {
                             .density = scene.density,
                             .drag = scene.drag,
                             .walls = scene.walls ? detail::host_array(&scene.walls->low, SP_F64, 2, 3, 3) : sp_array{}};
-    sp_simulation* opened = nullptr;
-    const sp_status status =
-        sp_simulation_open(backend.c_str(), device.empty() ? nullptr : device.c_str(), threads, &start, &opened);
-    simulation_.reset(opened);
-    check(status);
-    spheres_ = size_t(scene.positions.array().rows);
+    open([&](const char* named,
+             sp_simulation** out) { return sp_simulation_open(backend.c_str(), named, threads, &start, out); },
+         device);
+  }
+
+  // Continues from a checkpoint: a file, or the bytes of one.
+  static Simulation resume(const std::string& file, const std::string& backend = "auto", const std::string& device = "",
+                           int32_t threads = 0) {
+    Simulation resumed;
+    resumed.open(
+        [&](const char* named, sp_simulation** out) {
+          return sp_simulation_resume(backend.c_str(), named, threads, file.c_str(), out);
+        },
+        device);
+    return resumed;
+  }
+  static Simulation resume(std::span<const std::byte> bytes, const std::string& backend = "auto",
+                           const std::string& device = "", int32_t threads = 0) {
+    Simulation resumed;
+    resumed.open(
+        [&](const char* named, sp_simulation** out) {
+          return sp_simulation_resume_bytes(backend.c_str(), named, threads, bytes.data(), bytes.size(), out);
+        },
+        device);
+    return resumed;
   }
 
   void move(uint64_t steps = 1) { check(sp_simulation_move(simulation_.get(), steps)); }
   double dt() const { return sp_simulation_dt(simulation_.get()); }          // seconds of a step
   uint64_t steps() const { return sp_simulation_steps(simulation_.get()); }  // made so far
+  uint64_t spheres() const { return sp_simulation_spheres(simulation_.get()); }
+
+  // Writes a checkpoint to a file, which is replaced once the new one is whole, or returns its bytes.
+  void save(const std::string& file) { check(sp_simulation_save(simulation_.get(), file.c_str())); }
+  std::vector<std::byte> save() {
+    size_t size = 0;
+    const sp_status status = sp_simulation_save_bytes(simulation_.get(), nullptr, 0, &size);
+    if (status != SP_E_CAPACITY) check(status);
+    std::vector<std::byte> bytes(size);
+    check(sp_simulation_save_bytes(simulation_.get(), bytes.data(), size, &size));
+    return bytes;
+  }
 
   // Reads the state, rounded to float32.
   State state() {
-    State found{std::vector<Row>(spheres_), std::vector<Row>(spheres_)};
+    State found{std::vector<Row>(spheres()), std::vector<Row>(spheres())};
     const auto array = [&](std::vector<Row>& rows) {
       return detail::host_array(rows.data(), SP_F32, int64_t(rows.size()), 3, 3);
     };
@@ -84,7 +149,31 @@ class Simulation {
     return PairList(list);
   }
 
+  // Draws the spheres at their current positions: red, green, blue and alpha of each pixel, the upper row first.
+  std::vector<uint8_t> draw(int32_t width, int32_t height, const Drawing& drawing = {}) {
+    constexpr int32_t widest = 16384;
+    std::vector<uint8_t> pixels(size_t(std::clamp(width, 0, widest)) * size_t(std::clamp(height, 0, widest)) * 4);
+    draw(pixels.data(), width, height, int64_t(width) * 4, drawing);
+    return pixels;
+  }
+  // The same into memory of yours, whose rows begin row_stride bytes apart.
+  void draw(uint8_t* pixels, int32_t width, int32_t height, int64_t row_stride, const Drawing& drawing = {}) {
+    const sp_array array = {pixels, height, int64_t(width) * 4, row_stride, 1, SP_U8, 1, 0};
+    const sp_drawing wanted = drawing.in_c();
+    check(sp_simulation_draw(simulation_.get(), &wanted, &array));
+  }
+
  private:
+  Simulation() = default;
+
+  // Calls open_it with the device, or NULL if none is named.
+  template <typename Open>
+  void open(Open open_it, const std::string& device) {
+    sp_simulation* opened = nullptr;
+    const sp_status status = open_it(device.empty() ? nullptr : device.c_str(), &opened);
+    simulation_.reset(opened);
+    check(status);
+  }
   struct Close {
     void operator()(sp_simulation* simulation) const { sp_simulation_close(simulation); }
   };
@@ -93,7 +182,6 @@ class Simulation {
   }
 
   std::unique_ptr<sp_simulation, Close> simulation_;
-  size_t spheres_ = 0;
 };
 
 }  // namespace spherepair

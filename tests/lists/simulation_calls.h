@@ -42,6 +42,10 @@ class OpenSimulation {
   explicit OpenSimulation(const sp_scene& scene, const char* backend = "cpu") {
     status = sp_simulation_open(backend, nullptr, 0, &scene, &simulation);
   }
+  OpenSimulation(const std::string& checkpoint, const char* backend) {
+    status = sp_simulation_resume_bytes(backend, nullptr, 0, checkpoint.data(), checkpoint.size(), &simulation);
+  }
+  OpenSimulation() = default;
   ~OpenSimulation() { sp_simulation_close(simulation); }
   OpenSimulation(const OpenSimulation&) = delete;
   OpenSimulation& operator=(const OpenSimulation&) = delete;
@@ -60,7 +64,7 @@ class OpenSimulation {
   }
 
   sp_simulation* simulation = nullptr;
-  sp_status status;
+  sp_status status = SP_OK;
 };
 
 }  // namespace spherepair
