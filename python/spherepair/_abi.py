@@ -47,6 +47,15 @@ class Scene(ctypes.Structure):
                 ("stiffness", c_double), ("density", c_double), ("drag", c_double), ("walls", Array)]
 
 
+class Drawing(ctypes.Structure):
+    """sp_drawing: what an image shows."""
+
+    _fields_ = [("size", c_size_t), ("eye", POINTER(c_double)), ("target", POINTER(c_double)), ("up", POINTER(c_double)),
+                ("azimuth", c_double), ("elevation", c_double), ("field", c_double), ("nearest", c_double),
+                ("color", c_char_p), ("color_range", POINTER(c_double)), ("samples", c_int32), ("plain", c_int32),
+                ("no_ground", c_int32)]
+
+
 # name: (type of the result, types of the arguments)
 FUNCTIONS = {
     "sp_abi_version": (c_uint32, []),
@@ -66,6 +75,12 @@ FUNCTIONS = {
     "sp_simulation_move": (c_int32, [c_void_p, c_uint64]),
     "sp_simulation_state": (c_int32, [c_void_p, POINTER(Array), POINTER(Array)]),
     "sp_simulation_pairs": (c_int32, [c_void_p, POINTER(POINTER(Pairs))]),
+    "sp_simulation_save": (c_int32, [c_void_p, c_char_p]),
+    "sp_simulation_save_bytes": (c_int32, [c_void_p, c_void_p, c_size_t, POINTER(c_size_t)]),
+    "sp_simulation_resume": (c_int32, [c_char_p, c_char_p, c_int32, c_char_p, POINTER(c_void_p)]),
+    "sp_simulation_resume_bytes": (c_int32, [c_char_p, c_char_p, c_int32, c_void_p, c_size_t, POINTER(c_void_p)]),
+    "sp_simulation_draw": (c_int32, [c_void_p, POINTER(Drawing), POINTER(Array)]),
+    "sp_simulation_spheres": (c_uint64, [c_void_p]),
     "sp_simulation_dt": (c_double, [c_void_p]),
     "sp_simulation_steps": (c_uint64, [c_void_p]),
     "sp_simulation_message": (c_char_p, [c_void_p]),

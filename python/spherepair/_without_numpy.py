@@ -6,6 +6,7 @@ from __future__ import annotations
 import bisect
 import ctypes
 import itertools
+import math
 import struct
 from array import array
 from typing import Any, Iterator, List, Optional, Sequence, Tuple
@@ -89,7 +90,7 @@ def first_outside(systems: List[int], limit: int) -> Optional[int]:
 def new(shape: Tuple[int, ...], code: str) -> memoryview:
     """Allocates an array of zeros. A memoryview needs at least one row for a shape, so an empty one is a slice of it."""
     rows = max(shape[0], 1)
-    size = int(code[1:]) * rows * (shape[1] if len(shape) > 1 else 1)
+    size = int(code[1:]) * rows * math.prod(shape[1:])
     return memoryview(bytearray(size)).cast(_LETTERS[code], shape=(rows, *shape[1:]))[:shape[0]]
 
 

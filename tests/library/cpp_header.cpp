@@ -135,6 +135,29 @@ static void errors(Context& context) {
   HOLDS(fails(SP_E_ARGUMENT, "device", [] { Context("cpu", "0"); }));
 }
 
+void checkpoints_and_images(Simulation& simulation) {
+  HOLDS(simulation.spheres() == 3);
+  const std::vector<std::byte> saved = simulation.save();
+  Simulation resumed = Simulation::resume(saved, "cpu");
+  HOLDS(resumed.steps() == simulation.steps() && resumed.spheres() == 3);
+  simulation.move(20), resumed.move(20);
+  HOLDS(resumed.state().positions == simulation.state().positions && resumed.save() == simulation.save());
+  HOLDS(fails(SP_E_ARGUMENT, "cut off", [&] { Simulation::resume(std::span(saved).first(99), "cpu"); }));
+  HOLDS(fails(SP_E_ARGUMENT, "cannot read", [] { Simulation::resume("/no/such/file", "cpu"); }));
+  HOLDS(fails(SP_E_ARGUMENT, "cannot write", [&] { simulation.save("/no/such/file"); }));
+  const Drawing view = {
+      .eye = {{2, 1, 6}}, .target = {{1, 1, 0}}, .color = "speed", .color_range = {{0, 3}}, .samples = 2};
+  const std::vector<uint8_t> image = resumed.draw(16, 12, view);
+  HOLDS(image.size() == 16 * 12 * 4 && image[3] == 255 && image == simulation.draw(16, 12, view));
+  std::vector<uint8_t> wider(12 * 100, 7);
+  resumed.draw(wider.data(), 16, 12, 100, view);
+  HOLDS(wider[64] == 7 && std::equal(image.end() - 64, image.end(), wider.end() - 100));
+  HOLDS(fails(SP_E_ARGUMENT, "1 to 16384", [&] { resumed.draw(1 << 30, 1 << 30); }));
+  HOLDS(fails(SP_E_ARGUMENT, "1 to 16384", [&] { resumed.draw(-1, 5); }));
+  HOLDS(fails(SP_E_ARGUMENT, "no data", [&] { resumed.draw(nullptr, 16, 12, 64); }));
+  HOLDS(fails(SP_E_ARGUMENT, "azimuth is given", [&] { resumed.draw(8, 8, {.eye = {{1, 1, 1}}, .azimuth = 5}); }));
+}
+
 void simulations() {
   const std::vector<std::array<double, 3>> positions = {{0, 1, 0}, {0, 1.75, 0}, {4, 3, 0}}, velocities(3, {0.5, 0, 0});
   const std::vector<double> radii = {0.5, 0.5, 0.25};
@@ -153,6 +176,7 @@ void simulations() {
   Simulation contacts(walled, "cpu");
   contacts.move(10);
   HOLDS(contacts.state().velocities[1][1] > 0);
+  checkpoints_and_images(contacts);
   HOLDS(fails(SP_E_ARGUMENT, "glue",
               [&] { Simulation({.positions = positions, .radii = radii, .contact = "glue"}, "cpu"); }));
   HOLDS(fails(SP_E_ARGUMENT, "radii has 2 rows", [&] {

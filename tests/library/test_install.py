@@ -151,10 +151,10 @@ class Install(unittest.TestCase):
     def test_the_page_shows_what_compiles(self):
         page = (ROOT / "docs/library.md").read_text()
         blocks = {language: re.findall(rf"^```{language}\n(.*?)^```", page, re.M | re.S) for language in ("cpp", "c")}
-        (cpp, simulation), (c,) = blocks.values()
+        (cpp, simulation, resumed), (c,) = blocks.values()
         moving = ("#include <spherepair/simulation.hpp>\nvoid show(const std::vector<double>& positions, const std::vector<double>& radii);\n"
                   "void show(const std::vector<double>& positions, const std::vector<double>& radii) {\n"
-                  f"{simulation}(void)centres, (void)velocities, (void)overlaps;\n}}\n")
+                  f"{simulation}(void)centres, (void)velocities, (void)overlaps;\n{resumed}(void)pixels;\n}}\n")
         include, body = c.split("\n", 1)
         c = f"{include}\nint fail(const char* why);\nint show(void) {{\n{body}return !i || !j; }}\n"
         for compiler, language, text in ((CXX, "c++", cpp), (CXX, "c++", moving), (CC, "c", c)):

@@ -158,11 +158,11 @@ class Command(unittest.TestCase):
         blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)
         moved = []
         names = {"move": lambda positions: moved.append(np.add(positions, 0.01, out=positions)), "use": lambda *columns: None}
-        with contextlib.redirect_stdout(io.StringIO()) as out:
+        with contextlib.redirect_stdout(io.StringIO()) as out, tempfile.TemporaryDirectory() as names["folder"]:
             for block in blocks:
                 exec(block, names)
         self.assertRegex(out.getvalue(), r"^\d+ neighbours, \d+ overlaps, \{'cpu': None")
-        self.assertEqual((100, 3), (len(moved), len(blocks)))
+        self.assertEqual((100, 4), (len(moved), len(blocks)))
 
     def test_a_file_through_ase(self):
         try:

@@ -81,6 +81,13 @@ class WithoutNumpy(unittest.TestCase):
             assert at.shape == (2, 3) and at.format == "f" and abs(at[0, 1] - 1.5) < 1e-5, at.tolist()
             assert abs(falling.velocities[1, 1] + 8) < 1e-5
             assert falling.pairs().tolist() == [[0, 1]]
+            resumed = sp.Simulation.resume(falling.checkpoint(), backend="cpu")
+            assert resumed.positions == at and resumed.steps == 64
+            image = falling.draw(8, 6, samples=2)
+            assert image.shape == (6, 8, 4) and image.format == "B" and image[0, 0, 3] == 255, image.tolist()
+            mine = memoryview(bytearray(6 * 8 * 4)).cast("B", shape=(6, 8, 4))
+            assert resumed.draw(samples=2, out=mine) is mine and mine == image and len(set(mine.tobytes())) > 2
+            refused("strides", resumed.draw, out=memoryview(bytearray(12 * 8 * 4)).cast("B", shape=(12, 8, 4))[::2])
         """)
 
     def test_kinds_of_arrays(self):
