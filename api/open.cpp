@@ -25,6 +25,9 @@
 #ifdef SPHEREPAIR_WITH_INTEROP_VULKAN
 #include "interop/vulkan/vulkan_to_gl.h"
 #endif
+#ifdef SPHEREPAIR_WITH_INTEROP_VULKAN_CUDA
+#include "interop/vulkan_cuda/vulkan_cuda.h"
+#endif
 
 namespace spherepair {
 
@@ -137,6 +140,16 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
   std::unique_ptr<Device> device = open_device(name, options);
   const PipelineOpener pipeline = pipeline_of(options, *device);
   return std::make_unique<Simulation>(std::move(device), pipeline);
+}
+
+DeviceCopy open_device_copy([[maybe_unused]] Device& from, [[maybe_unused]] Device& to,
+                            [[maybe_unused]] uint64_t bytes) {
+#ifdef SPHEREPAIR_WITH_INTEROP_VULKAN_CUDA
+  return open_vulkan_cuda(from, to, bytes);
+#else
+  throw BackendError(
+      "interop: only Vulkan and CUDA share memory, and this build lacks one of them; transfer spheres as host");
+#endif
 }
 
 void check_same_gpu(const Backend& left, const Backend& right) {

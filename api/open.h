@@ -4,6 +4,7 @@
 
 #include "common/backend/backend.h"
 #include "common/device/device.h"
+#include "common/device/device_copy.h"
 
 namespace spherepair {
 
@@ -24,6 +25,10 @@ std::unique_ptr<Backend> open_backend(const std::string& name, const OpenOptions
 
 // Opens only the device of a GPU's API (not of cpu), for components without a backend. Throws as open_backend.
 std::unique_ptr<Device> open_device(const std::string& name, const OpenOptions& options = {});
+
+// Copies `bytes` between devices of Vulkan and CUDA on one GPU, without the host. Both must outlive the copy. Throws
+// BackendError that says what is missing.
+DeviceCopy open_device_copy(Device& from, Device& to, uint64_t bytes);
 
 // Throws BackendError when two backends sit on different GPUs.
 void check_same_gpu(const Backend& left, const Backend& right);

@@ -37,7 +37,8 @@ class VulkanDevice final : public Device {
   void flush() override;
 
   const LogicalDevice& logical() const { return device_; }
-  void copy(uint64_t from, const DeviceBuffer& to);  // waits
+  VkBuffer buffer(uint64_t handle) const { return table_.at(handle); }
+  void copy(VkBuffer from, VkBuffer to, uint64_t bytes);  // waits
 
  private:
   void forget(uint64_t handle);
@@ -101,13 +102,13 @@ void VulkanDevice::read(const Memory& memory, void* data, uint64_t offset, uint6
   staging_.read(table_.at(memory.handle), static_cast<char*>(data), offset, bytes);
 }
 
-void VulkanDevice::copy(uint64_t from, const DeviceBuffer& to) {
+void VulkanDevice::copy(VkBuffer from, VkBuffer to, uint64_t bytes) {
   recorder_.flush();
   const Calls& vk = device_.calls();
   const VkCommandBuffer commands = stream_.open();
   barrier_before_transfer(vk, commands);
-  const VkBufferCopy range{0, 0, to.bytes()};
-  vk.CmdCopyBuffer(commands, table_.at(from), to.handle(), 1, &range);
+  const VkBufferCopy range{0, 0, bytes};
+  vk.CmdCopyBuffer(commands, from, to, 1, &range);
   barrier_behind_transfer(vk, commands);
   stream_.recorded();
   wait();
@@ -178,7 +179,8 @@ class ExportedBuffer final : public ExportedMemory {
       : device_(device), buffer_(device.logical(), bytes, Place::exported) {}
   uint64_t bytes() const override { return buffer_.allocated(); }
   int descriptor() const override { return buffer_.descriptor(); }
-  void copy(uint64_t buffer) override { device_.copy(buffer, buffer_); }
+  void copy(uint64_t from) override { device_.copy(device_.buffer(from), buffer_.handle(), buffer_.bytes()); }
+  void copy_back(uint64_t to) override { device_.copy(buffer_.handle(), device_.buffer(to), buffer_.bytes()); }
 
  private:
   VulkanDevice& device_;

@@ -15,9 +15,11 @@ std::unique_ptr<Device> open_vulkan_device(const OpenOptions& options);
 class ExportedMemory {
  public:
   virtual ~ExportedMemory() = default;
-  virtual uint64_t bytes() const = 0;      // of the allocation; the buffer lies at its start
-  virtual int descriptor() const = 0;      // a new file descriptor, which the importer closes
-  virtual void copy(uint64_t buffer) = 0;  // copies a buffer of the device into it, and waits
+  virtual uint64_t bytes() const = 0;  // of the allocation; the buffer lies at its start
+  virtual int descriptor() const = 0;  // a new file descriptor, which the importer closes
+  // Copy a buffer of the device into it, or all of it into such a buffer, and wait.
+  virtual void copy(uint64_t buffer) = 0;
+  virtual void copy_back(uint64_t buffer) = 0;
 };
 
 // For devices from open_vulkan_device.

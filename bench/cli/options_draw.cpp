@@ -145,8 +145,10 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
       "as `view` has them");
   command->add_flag("--window", options->window,
                     "Draw in the context of a window; of the work `view`, each image goes into it");
-  command->add_flag("--transfer", options->transfer,
-                    "Also time OpenGL drawing of the spheres of CUDA and Vulkan, transferred in every way");
+  command->add_flag(
+      "--transfer", options->transfer,
+      "Also time OpenGL drawing of the spheres of CUDA and Vulkan, transferred in every way, and transfers "
+      "between these two");
   add_list(*command, "--n", options->sizes, "Numbers of spheres, sorted into cell order")->transform(positive_range);
   add_list(*command, "--most", options->most, "Most spheres that a drawing method is timed with, e.g. mesh_each:65536");
   add_size_option(*command, options->width, options->height);

@@ -18,7 +18,7 @@ struct FramesOptions {
   std::vector<std::string> works = {"frame", "frame_all", "lit", "loop", "view"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
-  bool transfer = false;  // also times OpenGL drawing of CUDA's spheres
+  bool transfer = false;  // also times OpenGL drawing of CUDA's and Vulkan's spheres, and exchanges between these two
   bool window = false;    // draws in the context of a window, and handles each image as `view` does
   int rounds = 11;
   double min_seconds = 0;              // of the longest batch; 0: as study_sampling()
@@ -37,9 +37,12 @@ std::string label(const FrameTask& task);
 // A step through the grid with the group size that `auto` chooses. Dense, since lighting needs dense cells.
 CollideOptions in_dense_cells(const Backend& backend, uint64_t n);
 
-// OpenGL drawing of CUDA's spheres.
+// Uploads the scene and searches it so.
+std::function<void(Backend&)> start_of_loop(const Scene& scene);
+
+// OpenGL drawing of another backend's spheres.
 struct TransferTask {
-  Backend* cuda;
+  Backend* backend;
   CollideOptions collide;   // of a step
   std::vector<View> views;  // one per image
   std::vector<DrawMethod> draws;

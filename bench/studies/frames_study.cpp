@@ -45,14 +45,14 @@ json to_json(const DrawStatistics& counts) {
 // Falling spheres become denser, so every sample on every backend takes the same steps from the start.
 constexpr uint64_t steps_of_loop = 20;
 
+}  // namespace
+
 std::function<void(Backend&)> start_of_loop(const Scene& scene) {
   return [&scene](Backend& backend) {
     backend.upload(scene);
     backend.collide(in_dense_cells(backend, scene.size()));
   };
 }
-
-}  // namespace
 
 std::string label(const FrameTask& task) {
   return fmt::format("{} {} {} {}", task.backend->info().name, draw_method_name(task.draw), task.place, task.work);
@@ -93,8 +93,10 @@ void FramesStudy::measure_size(uint64_t n) {
   }
   for (const std::string& place : options_.places) measure_place(n, backends, scene, bounds, place);
   for (Backend* backend : backends) backend->upload(make_scene({.n = 0}));  // frees its memory
+  if (!options_.transfer) return;
   for (Backend* backend : backends)
-    if (options_.transfer && backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
+    if (backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
+  measure_exchanges(n, scene);
 }
 
 void FramesStudy::leave_out(uint64_t n, const Backend& backend, const std::string& draw, const std::string& reason) {
@@ -181,35 +183,6 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
     if (moves) start_of_loop(scene)(*tasks[i].backend);  // restores the positions
   }
   progress_.clear();
-}
-
-void FramesStudy::measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds) {
-  start_of_loop(scene)(cuda);
-  TransferTask task{&cuda,
-                    in_dense_cells(cuda, n),
-                    camera_path(bounds, "outside", options_.width, options_.height, contact_look()),
-                    {}};
-  for (const std::string& draw : options_.draws)
-    if (draw != draw_method_name(DrawMethod::compute) && !beyond_most(n, draw))
-      task.draws.push_back(draw_method_from_name(draw));
-  const auto time = [&](const std::string& draw, const std::string& work, const std::function<void()>& step,
-                        bool moves) {
-    json entry = {{"n", n}, {"transferred", true}, {"draw", draw}, {"place", "outside"}, {"work", work}};
-    Contender contender{
-        .label = fmt::format("cuda to opengl {} {}", draw, work), .backend = &cuda, .step = [&](Backend&) { step(); }};
-    if (moves) contender.restart = start_of_loop(scene), contender.prepares = true;
-    progress_.say(contender.label);
-    const Samples samples = measure(session_, {&contender, 1}, sampling_, progress_).front();
-    entry.update(to_json(samples));
-    frames.push_back(entry);
-    progress_.clear();
-    return samples.median_seconds();
-  };
-  for (json& overlap : time_transfers(task, time)) {
-    overlap["n"] = n;
-    overlaps.push_back(overlap);
-  }
-  cuda.upload(make_scene({.n = 0}));  // frees its memory
 }
 
 // Begins the task's entry. The images of the exact methods must be equal on all backends, with and without culling. The

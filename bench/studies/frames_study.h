@@ -12,10 +12,13 @@
 //       loop       move, collide_grid and frame, the first 20 steps
 //       view       the same with every search and every image complete, as `view` has them; in a window, each image
 //                  also goes into it, but is not presented: that is up to the display system
-//     With --transfer, also OpenGL drawing of CUDA's spheres (transferred: true): draw is none for a transfer alone and
-//     for `step` (move and collide_grid alone); work is host, registered or imported (Transfer), with a wait after each
-//     image, or the same with _pipelined: transfer, image and step, where only the transfer waits
-//   overlaps   with --transfer: n, draw, transfer, frame_ms, step_ms, pipelined_ms, and overlap: the share of the
+//     With --transfer, also OpenGL drawing of the spheres of CUDA and Vulkan (transferred: true; to: opengl): draw is
+//     none for a transfer alone and for `step` (move and collide_grid alone); work is host, registered or imported
+//     (Transfer), with a wait after each image, or the same with _pipelined: transfer, image and step, where only the
+//     transfer waits. With both, also positions and radii from one to the other and back (to: cuda, vulkan; draw:
+//     none). bytes: what a transfer copies
+//   overlaps   with --transfer: n, backend, draw, transfer, frame_ms, step_ms, pipelined_ms, and overlap: the share of
+//   the
 //     shorter of image and step that the pipelined loop hides
 //   left_out   n, backend, draw and reason of whatever was requested but not timed
 #pragma once
@@ -46,7 +49,9 @@ class FramesStudy {
   void measure_place(uint64_t n, const std::vector<Backend*>& backends, const Scene& scene, const Bounds& bounds,
                      const std::string& place);
   void measure_tasks(const std::vector<FrameTask>& tasks, const Scene& scene, const std::vector<View>& views);
-  void measure_transfers(uint64_t n, Backend& cuda, const Scene& scene, const Bounds& bounds);
+  void measure_transfers(uint64_t n, Backend& backend, const Scene& scene, const Bounds& bounds);
+  void measure_exchanges(uint64_t n, const Scene& scene);
+  double measure_transfer(json entry, Backend& backend, const std::function<void()>& step, const Scene* restart);
   void check(uint64_t n, const FrameTask& task, const std::vector<View>& views);
 
   Session& session_;

@@ -46,15 +46,17 @@ Table images_table(const json& frames, uint64_t n, const FramesOptions& options)
 
 // Times of a transfer alone (draw: none), with its image, and in a loop that overlaps it with the next step.
 Table transfers_table(const json& frames, uint64_t n) {
-  Table table{
-      "The same of CUDA's spheres through OpenGL, by how they come there",
-      {{"", "draw", "", true}, {"", "transfer", "", true}},
-      {},
-      {"pipelined: transfer, image and the next step, where only the transfer waits. step: without a transfer."}};
+  Table table{"Spheres of one API in another, by how they come there",
+              {{"", "from", "", true}, {"", "to", "", true}, {"", "draw", "", true}, {"", "transfer", "", true}},
+              {},
+              {"alone, none: 20 bytes a sphere to OpenGL, with its contacts; 16 else. pipelined: transfer, image and "
+               "the next step, "
+               "where only the transfer waits. step: without a transfer."}};
   for (const json& entry : frames) {
     if (entry.at("n") != n || !is_transfer(entry)) continue;
     const std::string work = entry.at("work"), transfer = work.substr(0, work.find("_pipelined"));
-    put(table, {entry.at("draw"), transfer}, {"median", transfer == work ? "alone" : "pipelined", "ms"}, entry);
+    put(table, {entry.at("backend"), entry.at("to"), entry.at("draw"), transfer},
+        {"median", transfer == work ? "alone" : "pipelined", "ms"}, entry);
   }
   return table;
 }

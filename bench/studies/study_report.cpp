@@ -11,34 +11,11 @@ namespace spherepair {
 namespace {
 
 // Fields of entries that tell a configuration, in the order of their columns.
-constexpr const char* key_names[] = {"measurement",
-                                     "work",
-                                     "kind",
-                                     "scene",
-                                     "n",
-                                     "order",
-                                     "law",
-                                     "restitution",
-                                     "steps_a_contact",
-                                     "sums",
-                                     "steps",
-                                     "sleeping",
-                                     "motion",
-                                     "method",
-                                     "block",
-                                     "exact",
-                                     "precision",
-                                     "k",
-                                     "option",
-                                     "on",
-                                     "path",
-                                     "way",
-                                     "draw",
-                                     "place",
-                                     "transferred",
-                                     "launches_per_step",
-                                     "contender",
-                                     "backend"};
+constexpr const char* key_names[] = {
+    "measurement", "work",   "kind",     "scene",  "n",      "order", "law",         "restitution", "steps_a_contact",
+    "sums",        "steps",  "sleeping", "motion", "method", "block", "exact",       "precision",   "k",
+    "option",      "on",     "path",     "way",    "draw",   "place", "transferred", "to",          "launches_per_step",
+    "contender",   "backend"};
 
 using Fields = std::map<std::string, std::string>;
 

@@ -46,6 +46,7 @@ struct BackendInfo {
 };
 
 class Device;
+struct Memory;
 
 class Backend {
  public:
@@ -116,6 +117,13 @@ class Backend {
   // positions and velocities.
   virtual MotionState save() = 0;
   virtual void resume(const Scene& scene, const MotionState& saved) = 0;
+
+  // For copies between devices (api/exchange.h). positions() returns the buffer of the current positions, a vec4 a
+  // sphere with its radius, and waits for all that uses it. positions_changed() must follow when others have written
+  // it: searches and images are then of the new positions. The motion's velocities and wide state stay: upload() before
+  // moving again.
+  virtual const Memory& positions() { throw BackendError(info().name + ": has no buffer of a GPU's API"); }
+  virtual void positions_changed() { throw BackendError(info().name + ": has no buffer of a GPU's API"); }
 
   // Draws the spheres at their current positions; the image is complete on return. Colours by contacts use the last
   // collide(), or 0 contacts after a later move() or upload(). The backend sets view.tile_capacity, counting and pass.

@@ -43,6 +43,8 @@ class Device {
   virtual Memory allocate(uint64_t bytes, Memory replaced) = 0;
   virtual void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) = 0;
   virtual void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) = 0;  // waits for the device
+  // Host memory for reads and writes. CUDA's is pinned, so that copies run at the bus's rate.
+  virtual std::shared_ptr<char[]> host_memory(uint64_t bytes) { return std::make_shared<char[]>(bytes); }
   virtual void clear(const Memory& memory, uint64_t bytes) = 0;  // sets to 0, by the API's own function
 
   virtual void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) = 0;

@@ -98,6 +98,17 @@ MotionState Simulation::save() {
   return saved;
 }
 
+const Memory& Simulation::positions() {
+  evaluate_positions();
+  finish();
+  return context_.buffers.memory(SLOT_POSITION);
+}
+
+void Simulation::positions_changed() {
+  context_.moved();
+  contacts_.forget_list();
+}
+
 MethodChoice Simulation::choice(const CollideOptions& options) const {
   require_scene("choice");
   return search_.choice(options);

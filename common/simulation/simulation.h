@@ -31,6 +31,8 @@ class Simulation final : public Backend {
   void evaluate_state() override;
   State state() override;
   MotionState save() override;
+  const Memory& positions() override;
+  void positions_changed() override;
 
   MethodChoice choice(const CollideOptions& options) const override;
   void collide(const CollideOptions& options) override;

@@ -42,6 +42,7 @@ class CudaDevice final : public Device, private DeviceLibrary {
   Memory allocate(uint64_t bytes, Memory replaced) override;
   void write(const Memory& memory, const void* data, uint64_t offset, uint64_t bytes) override;
   void read(const Memory& memory, void* data, uint64_t offset, uint64_t bytes) override;
+  std::shared_ptr<char[]> host_memory(uint64_t bytes) override;
   void clear(const Memory& memory, uint64_t bytes) override;
   void launch(const Launch& launch, const Params& params, const BufferHandles& buffers) override;
   void wait() override;
@@ -152,6 +153,12 @@ void CudaDevice::read(const Memory& memory, void* data, uint64_t offset, uint64_
   if (bytes == 0) return;
   recorder_.flush();
   arrays_.read(data_of<const char>(memory.handle) + offset, data, bytes);
+}
+
+std::shared_ptr<char[]> CudaDevice::host_memory(uint64_t bytes) {
+  char* data = nullptr;
+  cuda_check(cudaMallocHost(&data, bytes), fmt::format("pinning {} bytes of the host's memory", bytes));
+  return {data, cudaFreeHost};
 }
 
 void CudaDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {

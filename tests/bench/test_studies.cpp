@@ -95,8 +95,50 @@ TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
   EXPECT_EQ(std::ranges::count_if(study.frames, transferred), 1 + 2 + 2 * 2) << "a step, two ways alone, with images";
   EXPECT_EQ(study.frames.size(), 2u + 7u);
   EXPECT_EQ(study.overlaps.size(), 2u);
+  for (const json& entry : study.frames) EXPECT_EQ(entry.value("to", ""), transferred(entry) ? "opengl" : "");
   const std::string text = study.text_of(64, kTextWidth);
   for (const char* word : {"compute", "points", "host", "registered", "pipelined"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
+}
+
+// OpenGL by any name, with its buffers.
+class WithBuffers : public ForwardingBackend {
+ public:
+  WithBuffers(const std::string& name, std::unique_ptr<Backend> real) : ForwardingBackend(name, std::move(real)) {
+    info_.software = false;  // else CUDA has no crossover
+  }
+  Device* device() override { return forwarded().device(); }
+  const Memory& positions() override { return forwarded().positions(); }
+  void positions_changed() override { ++changes, forwarded().positions_changed(); }
+  int changes = 0;
+};
+
+TEST_F(Studies, FramesTimesExchangesOfVulkanAndCuda) {
+  Session session({"vulkan", "cuda"}, {}, [](const std::string& name, const OpenOptions&) {
+    return std::make_unique<WithBuffers>(name, open_backend("opengl", {}));
+  });
+  const FramesOptions options = {.draws = {"compute"},
+                                 .places = {"outside"},
+                                 .works = {"frame"},
+                                 .width = 64,
+                                 .height = 48,
+                                 .transfer = true,
+                                 .rounds = 1,
+                                 .min_seconds = 1e-4};
+  FramesStudy study(session, options, {});
+  study.measure_size(64);
+  ASSERT_EQ(study.frames.size(), 2u + 2u) << "two images, each direction through the host; " << study.left_out;
+  for (const size_t k : {2, 3}) {
+    const json& entry = study.frames[k];
+    EXPECT_EQ(entry.at("backend"), k == 2 ? "vulkan" : "cuda");
+    EXPECT_EQ(entry.at("to"), k == 2 ? "cuda" : "vulkan");
+    EXPECT_EQ(entry.at("work"), "host");
+    EXPECT_EQ(entry.at("bytes"), 64 * sizeof(vec4));
+  }
+  for (const auto& each : session.backends()) EXPECT_GT(dynamic_cast<WithBuffers&>(*each).changes, 0);
+  EXPECT_EQ(study.left_out.size(), 2u) << "both are OpenGL's, which shares no memory: " << study.left_out;
+  const std::string text = study.text_of(64, kTextWidth);
+  for (const char* word : {"from", "left out: vulkan to cuda, imported: interop: "})
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }
 

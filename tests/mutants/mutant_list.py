@@ -195,6 +195,8 @@ EXACT = [
 ]
 
 DRAWING = [
+    mutant("a search keeps the cells of spheres that another API has moved", "common/simulation/simulation.cpp",
+           "  context_.moved();\n  contacts_", "  contacts_", "Exchange"),
     mutant("images of frame rates are not compared", "bench/tables/tables_frame_rates.cpp", "if (image != expected)",
            "if (false)", "StudyProgram"),
     mutant("contacts are not transferred", "glsl/gl_drawing.cpp",

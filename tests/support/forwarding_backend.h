@@ -57,6 +57,7 @@ class ForwardingBackend : public Backend {
   std::vector<StageTime> stage_times() override { return real_->stage_times(); }
 
  protected:
+  Backend& forwarded() { return *real_; }
   BackendInfo info_;
 
  private:
