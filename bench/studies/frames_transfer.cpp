@@ -77,9 +77,9 @@ void FramesStudy::measure_transfers(uint64_t n, Backend& backend, const Scene& s
 void FramesStudy::measure_exchanges(uint64_t n, const Scene& scene) {
   Backend *cuda = session_.find("cuda"), *vulkan = session_.find("vulkan");
   if (!cuda || !vulkan) return;
-  for (Backend* each : {vulkan, cuda}) each->upload(scene);
   for (const auto& [from, to] : {std::pair{vulkan, cuda}, std::pair{cuda, vulkan}})
     for (const Transfer way : {Transfer::host, Transfer::imported}) try {
+        for (Backend* each : {vulkan, cuda}) each->upload(scene);
         Exchange exchange(*from, *to, way);
         const json entry = {{"n", n},
                             {"to", to->info().name},
