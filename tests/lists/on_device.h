@@ -26,6 +26,7 @@ class OnDevice {
 
   void write(const std::vector<Element>& values) {
     cudaMemcpy(data_, values.data(), values.size() * sizeof(Element), cudaMemcpyHostToDevice);
+    cudaDeviceSynchronize();  // other streams do not wait for the copy
   }
   std::vector<Element> read() const {
     std::vector<Element> values(count_);

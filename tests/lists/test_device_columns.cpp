@@ -25,13 +25,14 @@ TEST_F(DeviceColumnsOfCuda, ColumnsOfTheCallersAreNotAllocatedAgain) {
     cudaMemGetInfo(&after, &total);
     return before - after;
   };
-  const size_t column = room * sizeof(int32_t), slack = column / 4;
-  EXPECT_LT(allocated_by_fill(), column + slack) << "keys alone";
-  EXPECT_EQ(allocated_by_fill(), 0u);
+  const size_t column = room * sizeof(int32_t), slack = column / 4;  // other processes may allocate, too
+  EXPECT_LT(allocated_by_fill(), 5 * column / 2 + slack)
+      << "keys alone: 1.5 times the room at their rows' places, and the room";
+  EXPECT_LT(allocated_by_fill(), slack);
   EXPECT_EQ(pairs.count, -1) << "it has not waited";
   pairs.second = wide.array();  // is no place for int32, so the list needs its own
   EXPECT_GT(allocated_by_fill(), column - slack);
-  EXPECT_EQ(allocated_by_fill(), 0u);
+  EXPECT_LT(allocated_by_fill(), slack);
   EXPECT_EQ(wide.read()[3], 1);
 }
 
