@@ -2,7 +2,7 @@
 // The calls that save a simulation and resume it: checkpoints in files and in memory.
 #include <fmt/format.h>
 
-#include <cstring>
+#include <algorithm>
 
 #include "api/c/simulation.h"
 #include "common/files/checkpoint.h"
@@ -58,10 +58,7 @@ sp_status sp_simulation_save_bytes(sp_simulation* simulation, void* bytes, size_
       return;
     }
     auto to = static_cast<char*>(bytes);
-    write_checkpoint(checkpoint, [&](std::string_view part) {
-      std::memcpy(to, part.data(), part.size());
-      to += part.size();
-    });
+    write_checkpoint(checkpoint, [&](std::string_view part) { to = std::ranges::copy(part, to).out; });
   });
   return fits ? status : SP_E_CAPACITY;
 }
