@@ -38,7 +38,7 @@ void with_fields(Work work) {
   }
 }
 
-// Opens the backend, lets start(backend) put this scene on it, and gives the simulation to the caller.
+// Opens the backend and calls start(backend, scene), which uploads or resumes the scene. *out gets the simulation.
 template <typename Start>
 void open_simulation(const char* backend, const char* device, int32_t threads, Scene scene, sp_simulation** out,
                      Start start) {

@@ -7,7 +7,8 @@
 
 namespace spherepair {
 
-// The values of colouring.h: for radii in the start's unit of length, for species the index into Start::species.
+// The value of each sphere that decides its colour (colouring.h). Radii are in the start's unit of length; a species is
+// its index in Start::species.
 std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state);
 
 // The range of speeds for a video's colours: from 0 to the 98 % quantile; the fastest 2 % share the last colour.

@@ -39,7 +39,7 @@ std::array<double, 2> jitter(uint k, uint samples);
 DrawnImage draw_image(Backend& backend, const ImageOptions& options);
 DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // sample k of that image
 
-// Puts a ground at this height along the upward normal, metres.
+// Adds a ground. height: metres along the upward normal.
 void put_ground(Look& look, const Vector& normal, double height);
 
 }  // namespace spherepair

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a row of the list begins, how long it is, and whether there is room for all rows.
+// Where a row of the list begins, how long it is, where its keys lie, and whether there is room for all rows.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict readonly buffer RowLengthBuffer { uint row_length[]; };

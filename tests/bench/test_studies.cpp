@@ -79,16 +79,20 @@ class Transferring : public ForwardingBackend {
   }
 };
 
+FramesOptions transfers(const std::vector<std::string>& draws) {
+  return {.draws = draws,
+          .places = {"outside"},
+          .works = {"frame"},
+          .width = 64,
+          .height = 48,
+          .transfer = true,
+          .rounds = 1,
+          .min_seconds = 1e-4};
+}
+
 TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
   Session session({"cpu"}, {}, [](const std::string&, const OpenOptions&) { return std::make_unique<Transferring>(); });
-  const FramesOptions options = {.draws = {"compute", "points"},
-                                 .places = {"outside"},
-                                 .works = {"frame"},
-                                 .width = 64,
-                                 .height = 48,
-                                 .transfer = true,
-                                 .rounds = 1,
-                                 .min_seconds = 1e-4};
+  const FramesOptions options = transfers({"compute", "points"});
   FramesStudy study(session, options, {});
   study.measure_size(64);
   const auto transferred = [](const json& entry) { return entry.contains("transferred"); };
@@ -117,14 +121,7 @@ TEST_F(Studies, FramesTimesExchangesOfVulkanAndCuda) {
   Session session({"vulkan", "cuda"}, {}, [](const std::string& name, const OpenOptions&) {
     return std::make_unique<WithBuffers>(name, open_backend("opengl", {}));
   });
-  const FramesOptions options = {.draws = {"compute"},
-                                 .places = {"outside"},
-                                 .works = {"frame"},
-                                 .width = 64,
-                                 .height = 48,
-                                 .transfer = true,
-                                 .rounds = 1,
-                                 .min_seconds = 1e-4};
+  const FramesOptions options = transfers({"compute"});
   FramesStudy study(session, options, {});
   study.measure_size(64);
   ASSERT_EQ(study.frames.size(), 2u + 2u) << "two images, each direction through the host; " << study.left_out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arguments of the calls that move, save, resume and draw: whatever they are, there is a result or a message, and what
-// is written stays in its arrays.
+// Calls that move, save, resume and draw, with any arguments. Each must give a result or a message, and must not write
+// outside its arrays.
 #include <algorithm>
 #include <cmath>
 #include <string>
