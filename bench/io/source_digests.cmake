@@ -9,9 +9,10 @@ cmake_minimum_required(VERSION 3.22)
 # A host path is the code that makes the spheres, enqueues, waits and reads back; host/contacts is the part that only
 # contacts and swept searches run. `measure` is the code that takes samples. crossover.h is left out: its figures decide
 # the automatic choice, not what is then timed.
-set(gpu_rooms common/scene common/scene/contact common/backend common/device common/simulation common/simulation/motion
-  common/simulation/search)
-set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/backend common/cpu common/cpu/search)
+set(gpu_rooms common/scene common/scene/contact common/plan common/backend common/device common/simulation
+  common/simulation/motion common/simulation/search)
+set(rooms_of_host/cpu common/shared common/scene common/scene/contact common/plan common/backend common/cpu
+  common/cpu/search)
 set(rooms_of_host/glsl ${gpu_rooms} common/glsl glsl)
 set(rooms_of_host/vulkan ${gpu_rooms} common/glsl vulkan/spirv vulkan/device vulkan)
 set(rooms_of_host/cuda ${gpu_rooms} cuda/host interop)  # interop: OpenGL drawing CUDA's spheres

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 #include "common/scene/pair_set.h"
 #include "common/shared/exact.h"
 

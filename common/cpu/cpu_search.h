@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "common/backend/plan_watch.h"
 #include "common/cpu/search/cpu_grid.h"
+#include "common/plan/plan_watch.h"
 #include "common/scene/scene_params.h"
 
 namespace spherepair {

@@ -2,8 +2,8 @@
 // One image in the rasteriser: the data that all its launches share.
 #pragma once
 
-#include "common/backend/grid_plan.h"
 #include "common/device/context.h"
+#include "common/plan/grid_plan.h"
 
 namespace spherepair {
 

@@ -3,7 +3,7 @@
 // lacks is refused by name.
 #include <array>
 
-#include "common/backend/plan_watch.h"
+#include "common/plan/plan_watch.h"
 #include "common/scene/contact_scene.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/backends.h"

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "api/open.h"
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 #include "common/shared/cell.h"
 #include "tests/support/backends.h"
 

@@ -121,7 +121,7 @@ CPU = [
            "search.equal_radii ? 1.0f : 0.25f;", "StressCatalogue.Row1", "Methods"),
     mutant("filter of equal radii too sure", "common/scene/scene_params.cpp", "const double margin = 12 * 0x1p-24",
            "const double margin = 1 * 0x1p-24", "Predicate", "StressCatalogue.Row0"),
-    mutant("spheres reach half as many cells", "common/backend/grid_plan.cpp", "float(scale * double(plan.largest_radius) +",
+    mutant("spheres reach half as many cells", "common/plan/grid_plan.cpp", "float(scale * double(plan.largest_radius) +",
            "float(scale * 0.5 * double(plan.largest_radius) +", "CpuGrid", "GridProperties"),
 ]
 
@@ -217,7 +217,7 @@ DRAWING = [
            "add(south, here + last, next + last)", "SphereMesh"),
     mutant("the transfer is not recorded", "bench/image/image_record.cpp", "taken ? json(transfer_name(*taken)) : json()", "json()",
            "RenderCommand"),
-    mutant("light looks into one level of cells", "common/backend/dense_plan.cpp", "plan.levels |= 1u << level_of(",
+    mutant("light looks into one level of cells", "common/plan/dense_plan.cpp", "plan.levels |= 1u << level_of(",
            "plan.levels = 1u << level_of(", "Draw"),
     mutant("the sun is never below", "common/shared/light.h", "bool ascends = along > 0.0f;", "bool ascends = true;",
            "Draw"),

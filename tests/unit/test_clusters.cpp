@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 #include "common/shared/cluster.h"
 
 namespace spherepair {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/backend/plan_watch.h"
+#include "common/plan/plan_watch.h"
 #include "common/shared/cell.h"
 #include "tests/support/motion_runs.h"
 

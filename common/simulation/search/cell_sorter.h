@@ -2,8 +2,8 @@
 // The grid of a simulation: the cells, and the spheres in cell order.
 #pragma once
 
-#include "common/backend/plan_watch.h"
 #include "common/device/context.h"
+#include "common/plan/plan_watch.h"
 
 namespace spherepair {
 

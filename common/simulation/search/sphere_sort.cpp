@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 
 namespace spherepair {
 namespace {

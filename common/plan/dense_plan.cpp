@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/backend/dense_plan.h"
+#include "common/plan/dense_plan.h"
 
 #include <algorithm>
 #include <array>

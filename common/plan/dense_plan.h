@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 
 namespace spherepair {
 

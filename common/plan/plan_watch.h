@@ -3,7 +3,7 @@
 // in the cells along the border, but these would fill up.
 #pragma once
 
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 
 namespace spherepair {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/backend/plan_watch.h"
+#include "common/plan/plan_watch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "common/backend/grid_plan.h"
+#include "common/plan/grid_plan.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/backend/dense_plan.h"
+#include "common/plan/dense_plan.h"
 #include "common/shared/cell.h"
 #include "common/shared/view.h"
 
