@@ -15,6 +15,11 @@ DeviceCopy through_host(Device& from, Device& to, uint64_t bytes) {
   };
 }
 
+DevicePositions& device_positions(Backend& backend) {
+  if (DevicePositions* positions = backend.device_positions()) return *positions;
+  throw BackendError(backend.info().name + ": has no buffer of a GPU's API; exchange opengl, vulkan or cuda");
+}
+
 }  // namespace
 
 Exchange::Exchange(Backend& from, Backend& to, Transfer way) : from_(from), to_(to), bytes_(common_bytes()) {
@@ -27,7 +32,7 @@ Exchange::Exchange(Backend& from, Backend& to, Transfer way) : from_(from), to_(
 }
 
 uint64_t Exchange::common_bytes() const {
-  const uint64_t from = from_.positions().bytes, to = to_.positions().bytes;
+  const uint64_t from = device_positions(from_).positions().bytes, to = device_positions(to_).positions().bytes;
   if (from == to) return from;
   throw BackendError(fmt::format("exchange: {} holds {} spheres but {} {}; upload as many to both", from_.info().name,
                                  from / sizeof(vec4), to_.info().name, to / sizeof(vec4)));
@@ -35,8 +40,8 @@ uint64_t Exchange::common_bytes() const {
 
 void Exchange::run() {
   if (common_bytes() != bytes_) throw BackendError("exchange: the number of spheres has changed; make a new exchange");
-  copy_(from_.positions(), to_.positions());
-  to_.positions_changed();
+  copy_(device_positions(from_).positions(), device_positions(to_).positions());
+  device_positions(to_).positions_changed();
 }
 
 }  // namespace spherepair

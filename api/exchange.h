@@ -12,7 +12,7 @@ class Exchange {
   // backends must outlive the exchange and hold as many spheres as now. Throws BackendError that says what is missing.
   Exchange(Backend& from, Backend& to, Transfer way);
 
-  // Gives `to` the positions and radii of `from`, 16 bytes a sphere; see Backend::positions_changed. Waits.
+  // Gives `to` the positions and radii of `from`, 16 bytes a sphere; see DevicePositions::positions_changed. Waits.
   void run();
 
   uint64_t bytes() const { return bytes_; }  // of a run

@@ -30,7 +30,7 @@ sp_status sp_simulation_open(const char* backend, const char* device, int32_t th
     Scene start;
     with_fields([&] { start = scene_of(*scene); });
     open_simulation(backend, device, threads, std::move(start), out,
-                    [](Backend& opened, const Scene& given) { opened.upload(given); });
+                    [](Motion& opened, const Scene& given) { opened.upload(given); });
     return SP_OK;
   });
 }
@@ -38,12 +38,12 @@ sp_status sp_simulation_open(const char* backend, const char* device, int32_t th
 void sp_simulation_close(sp_simulation* simulation) { delete simulation; }
 
 sp_status sp_simulation_move(sp_simulation* simulation, uint64_t steps) {
-  return on(simulation, [&](Backend& backend) {
+  return on(simulation, [&](Motion& motion) {
     simulation->failed = true;  // unless all goes well
     with_fields([&] {
-      for (uint64_t k = 0; k < steps; ++k) backend.move();
-      backend.finish();
-      if (steps > 0) backend.evaluate_state();  // throws if a step failed on the device
+      for (uint64_t k = 0; k < steps; ++k) motion.move();
+      motion.finish();
+      if (steps > 0) motion.evaluate_state();  // throws if a step failed on the device
     });
     simulation->steps += steps;
     simulation->failed = false;
@@ -51,8 +51,8 @@ sp_status sp_simulation_move(sp_simulation* simulation, uint64_t steps) {
 }
 
 sp_status sp_simulation_state(sp_simulation* simulation, const sp_array* positions, const sp_array* velocities) {
-  return on(simulation, [&](Backend& backend) {
-    const Backend::State state = current_state(backend);
+  return on(simulation, [&](Motion& motion) {
+    const Motion::State state = current_state(motion);
     write_vectors(state.positions, positions, "positions");
     write_vectors(state.velocities, velocities, "velocities");
   });
@@ -60,12 +60,12 @@ sp_status sp_simulation_state(sp_simulation* simulation, const sp_array* positio
 
 sp_status sp_simulation_pairs(sp_simulation* simulation, sp_pairs** out) {
   if (out) *out = nullptr;
-  return on(simulation, [&](Backend& backend) {
+  return on(simulation, [&](Search& search) {
     if (!out) refuse("out is NULL");
     CollideOptions options;
     options.want_pairs = true;
-    backend.collide(options);
-    const std::vector<Pair> pairs = backend.pairs();
+    search.collide(options);
+    const std::vector<Pair> pairs = search.pairs();
     auto owned = std::make_unique<OwnedPairs>(int64_t(pairs.size()), int64_t(simulation->spheres), 0);
     write_array(owned->first, owned->count, 1, [&](int64_t row, int64_t) { return pairs[size_t(row)].first; });
     write_array(owned->second, owned->count, 1, [&](int64_t row, int64_t) { return pairs[size_t(row)].second; });

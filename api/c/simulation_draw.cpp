@@ -46,7 +46,7 @@ ColourBy colour_of(const sp_drawing& given) {
 }
 
 // Finds the contacts if colours or light need them, and gives the spheres their colours.
-Look coloured(Backend& backend, const Backend::State& state, const sp_drawing& given) {
+Look coloured(Backend& backend, const Motion::State& state, const sp_drawing& given) {
   const ColourBy by = colour_of(given);
   const std::vector<double> range = numbers_at(given.color_range, 2, "color_range");
   if (!range.empty()) check_colour_range(by, range[0], range[1]);
@@ -55,7 +55,7 @@ Look coloured(Backend& backend, const Backend::State& state, const sp_drawing& g
   const std::vector<double> values = values_of(by, backend, state);
   if (values.empty()) return contact_look();
   const Colouring colouring(by, range.empty() ? values : range, "", !range.empty());
-  backend.set_classes(colouring.classes(values));
+  drawing_of(backend).set_classes(colouring.classes(values));
   return colouring.look();
 }
 
@@ -78,12 +78,12 @@ void draw(const sp_simulation& simulation, const sp_drawing& given, const sp_arr
   if (given.samples != 0) image.samples = uint(given.samples);
   const CameraOptions camera = camera_options(given);
   Backend& backend = *simulation.backend;
-  const Backend::State state = current_state(backend);
+  const Motion::State state = current_state(backend);
   image.camera = camera_of(camera, bounds_of(state.positions), double(image.width) / image.height);
   image.look = coloured(backend, state, given);
   if (!given.plain) image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW;
   if (!given.plain && !given.no_ground) put_ground(image.look, {0, 1, 0}, double(simulation.scene.plane));
-  const std::vector<uint> drawn = draw_image(backend, image).pixels;
+  const std::vector<uint> drawn = draw_image(drawing_of(backend), image).pixels;
   write_array(pixels, pixels.rows, pixels.columns, [&](int64_t row, int64_t column) {
     return drawn[size_t(row) * image.width + size_t(column) / 4] >> column % 4 * 8 & 255;
   });

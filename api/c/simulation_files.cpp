@@ -12,9 +12,9 @@ using namespace spherepair;
 namespace {
 
 Checkpoint checkpoint_of(const sp_simulation& simulation) {
-  Backend& backend = *simulation.backend;
-  Backend::State state = current_state(backend);
-  Checkpoint checkpoint{simulation.scene, backend.save(), simulation.steps};
+  Motion& motion = *simulation.backend;
+  Motion::State state = current_state(motion);
+  Checkpoint checkpoint{simulation.scene, motion.save(), simulation.steps};
   checkpoint.scene.positions = std::move(state.positions);
   checkpoint.scene.velocities = std::move(state.velocities);
   return checkpoint;
@@ -33,7 +33,7 @@ sp_status resume(const char* backend, const char* device, int32_t threads, sp_si
     *out = nullptr;
     Checkpoint saved = read();
     open_simulation(backend, device, threads, std::move(saved.scene), out,
-                    [&](Backend& opened, const Scene& scene) { opened.resume(scene, saved.motion); });
+                    [&](Motion& opened, const Scene& scene) { opened.resume(scene, saved.motion); });
     (*out)->steps = saved.step;
     return SP_OK;
   });

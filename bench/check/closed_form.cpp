@@ -53,7 +53,7 @@ long double long_double(const std::vector<uint>& wide, uint64_t i) {
 
 }  // namespace
 
-ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64_t i) {
+ExactState exact_state(const Motion::State& state, MotionOptions motion, uint64_t i) {
   const vec4 &at = state.positions[i], &v = state.velocities[i];
   ExactState exact = {at.x, at.y, at.z, v.x, v.y, v.z};
   if (motion.precision == Precision::float32) return exact;
@@ -81,7 +81,7 @@ MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const Exact
   return {double(sqrt(square)), before > 0 ? double((now - before) / before) : 0.0};
 }
 
-MotionErrors errors_of(const Scene& scene, uint64_t steps, const Backend::State& state) {
+MotionErrors errors_of(const Scene& scene, uint64_t steps, const Motion::State& state) {
   MotionErrors errors;
   double squares = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) {

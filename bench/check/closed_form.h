@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "common/backend/backend.h"
+#include "common/backend/motion.h"
 
 namespace spherepair {
 
@@ -13,7 +13,7 @@ namespace spherepair {
 using ExactState = std::array<long double, 6>;
 
 // Sphere i of a backend's state in the motion's full precision.
-ExactState exact_state(const Backend::State& state, MotionOptions motion, uint64_t i);
+ExactState exact_state(const Motion::State& state, MotionOptions motion, uint64_t i);
 
 // Distance of sphere i from the closed form after so many steps of scene.dt, in metres, and its relative gain of energy
 // (of vertical speed and height above the plane) since the start.
@@ -26,6 +26,6 @@ MotionError error_of(const Scene& scene, uint64_t i, uint64_t steps, const Exact
 struct MotionErrors {
   double rms = 0, largest = 0, energy = 0;
 };
-MotionErrors errors_of(const Scene& scene, uint64_t steps, const Backend::State& state);
+MotionErrors errors_of(const Scene& scene, uint64_t steps, const Motion::State& state);
 
 }  // namespace spherepair

@@ -76,7 +76,7 @@ std::vector<Pair> closed_form_pairs(const Scene& scene, uint64_t steps) {
   return pairs_of(scene, [&](uint64_t i) { return closed_form_position(scene, i, steps); });
 }
 
-std::vector<Pair> state_pairs(const Scene& scene, const Backend::State& state) {
+std::vector<Pair> state_pairs(const Scene& scene, const Motion::State& state) {
   return pairs_of(scene, [&](uint64_t i) {
     const ExactState at = exact_state(state, scene.motion, i);
     return QuadPoint{Quad(at[0]), Quad(at[1]), Quad(at[2])};

@@ -3,7 +3,8 @@
 // collide when |a - b|^2 < (ra + rb)^2 in quadruple precision.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/backend/motion.h"
+#include "common/scene/pair_set.h"
 
 namespace spherepair {
 
@@ -11,7 +12,7 @@ namespace spherepair {
 std::vector<Pair> closed_form_pairs(const Scene& scene, uint64_t steps);
 
 // Pairs of a state's positions in full precision.
-std::vector<Pair> state_pairs(const Scene& scene, const Backend::State& state);
+std::vector<Pair> state_pairs(const Scene& scene, const Motion::State& state);
 
 // Pairs of the scene's positions, every coordinate moved by `distance` metres and stored in this precision.
 std::vector<Pair> stored_pairs(const Scene& scene, double distance, Precision precision);

@@ -8,7 +8,7 @@
 
 namespace spherepair {
 
-void require_finite(const Backend::State& state, uint64_t step) {
+void require_finite(const Motion::State& state, uint64_t step) {
   const std::string unsound = unsound_spheres(state.positions, state.velocities);
   if (unsound.empty()) return;
   throw std::invalid_argument(fmt::format(

@@ -32,8 +32,8 @@ ContactStatistics statistics_of(Backend& backend, const Gas& gas) {
   return contact_statistics(gas.scene, current_state(backend).wide, backend.pairs(), 0);
 }
 
-void move(Backend& backend, uint64_t steps) {
-  for (uint64_t step = 0; step < steps; ++step) backend.move();
+void move(Motion& motion, uint64_t steps) {
+  for (uint64_t step = 0; step < steps; ++step) motion.move();
 }
 
 double temperature(double kinetic, uint64_t n) { return 2 * kinetic / (3 * double(n)); }  // times Boltzmann's constant
@@ -71,11 +71,11 @@ void squeeze(Scene& scene) {
       p.*axis = float(middle + (double(p.*axis) - middle) * side / length(scene));
 }
 
-Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds) {
+Gas equilibrated_gas(Motion& motion, const Scene& start, double seconds) {
   Gas gas{start, diameter(start), sphere_mass(diameter(start) / 2)};
-  backend.upload(gas.scene);
-  move(backend, uint64_t(std::ceil(seconds / double(start.dt))));
-  const Backend::State state = current_state(backend);
+  motion.upload(gas.scene);
+  move(motion, uint64_t(std::ceil(seconds / double(start.dt))));
+  const Motion::State state = current_state(motion);
   gas.scene.positions = state.positions, gas.scene.velocities = state.velocities;
   return gas;
 }

@@ -23,7 +23,7 @@ void squeeze(Scene& scene);
 
 // Moves the gas in the backend for so many seconds from its start. It is in equilibrium with its walls once sound, at 2
 // m/s or more, has crossed the box several times; a dense gas needs more.
-Gas equilibrated_gas(Backend& backend, const Scene& start, double seconds);
+Gas equilibrated_gas(Motion& motion, const Scene& start, double seconds);
 
 // The measured pressure, and the theory's for the packing fraction away from the walls.
 struct Pressure {

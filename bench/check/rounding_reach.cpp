@@ -6,23 +6,23 @@
 namespace spherepair {
 namespace {
 
-uint64_t pairs_of(Backend& backend, const Scene& scene, std::vector<vec4> spheres, CollideOptions options) {
+uint64_t pairs_of(Search& search, const Scene& scene, std::vector<vec4> spheres, CollideOptions options) {
   Scene other{.name = scene.name, .velocities = std::vector<vec4>(spheres.size(), vec4{0, 0, 0, 0})};
   other.positions = std::move(spheres);
   other.equal_radii = false;
   options.want_pairs = false;
-  backend.upload(other);
-  backend.collide(options);
-  return backend.collisions().pairs;
+  search.upload(other);
+  search.collide(options);
+  return search.collisions().pairs;
 }
 
 }  // namespace
 
-uint64_t pairs_within_reach(Backend& backend, const Scene& scene, const Rounding& rounding,
+uint64_t pairs_within_reach(Search& search, const Scene& scene, const Rounding& rounding,
                             const CollideOptions& options) {
   if (rounding.reach.empty()) return 0;
-  const uint64_t possible = pairs_of(backend, scene, grown(scene.positions, rounding.reach), options);
-  return possible - pairs_of(backend, scene, shrunk(scene.positions, rounding.reach), options);
+  const uint64_t possible = pairs_of(search, scene, grown(scene.positions, rounding.reach), options);
+  return possible - pairs_of(search, scene, shrunk(scene.positions, rounding.reach), options);
 }
 
 std::string reach_warning(uint64_t pairs, const Rounding& rounding, bool of_points) {

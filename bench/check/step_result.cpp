@@ -28,7 +28,7 @@ const char* decision_text(bool collide) { return collide ? "collide" : "apart"; 
 
 [[noreturn]] void report_pair(const ComparisonPoint& point, const Configuration& reference,
                               const Configuration& configuration, const Difference& difference) {
-  const Backend::State state = current_state(*reference.backend);
+  const Motion::State state = current_state(*reference.backend);
   const auto [i, j] = difference.pair;
   const Margin margin = margin_of(state.positions.at(i), state.positions.at(j));
   const std::string left = label(reference), right = label(configuration);
@@ -133,9 +133,9 @@ bool same_result(const StepResult& left, const StepResult& right) {
          left.counts == right.counts && (!left.pairs || !right.pairs || *left.pairs == *right.pairs);
 }
 
-StepResult result_of(Backend& backend, bool want_pairs) {
-  StepResult result{backend.collisions(), backend.counts(), std::nullopt};
-  if (want_pairs) result.pairs = backend.pairs();
+StepResult result_of(Search& search, bool want_pairs) {
+  StepResult result{search.collisions(), search.counts(), std::nullopt};
+  if (want_pairs) result.pairs = search.pairs();
   return result;
 }
 
@@ -160,7 +160,7 @@ void require_equal(Session& session, const ComparisonPoint& point, const Configu
 }
 
 void require_same_state(Session& session, const ComparisonPoint& point, const Backend& reference,
-                        const Backend::State& expected, const Backend& backend, const Backend::State& found) {
+                        const Motion::State& expected, const Backend& backend, const Motion::State& found) {
   const std::string left = reference.info().name, right = backend.info().name;
   const auto compare = [&](const std::vector<vec4>& l, const std::vector<vec4>& r, const char* what) {
     if (l.size() != r.size())
@@ -191,7 +191,7 @@ void require_same_state(Session& session, const ComparisonPoint& point, const Ba
 }
 
 uint64_t require_same_states(Session& session, const ComparisonPoint& point) {
-  const Backend::State expected = current_state(session.reference());
+  const Motion::State expected = current_state(session.reference());
   require_finite(expected, point.step);
   for (const auto& backend : session.backends())
     if (backend.get() != &session.reference())

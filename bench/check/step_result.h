@@ -39,7 +39,7 @@ struct StepResult {
 };
 std::string hex(const Fingerprint& fingerprint);
 bool same_result(const StepResult& left, const StepResult& right);  // compares lists only if both have one
-StepResult result_of(Backend& backend, bool want_pairs);            // of its last collide()
+StepResult result_of(Search& search, bool want_pairs);              // of its last collide()
 StepResult run_step(Session& session, Configuration configuration, bool want_pairs);
 
 // The scene and step of a comparison, for messages.
@@ -54,7 +54,7 @@ struct ComparisonPoint {
 void require_equal(Session& session, const ComparisonPoint& point, const Configuration& reference,
                    const StepResult& expected, const Configuration& configuration, const StepResult& found);
 void require_same_state(Session& session, const ComparisonPoint& point, const Backend& reference,
-                        const Backend::State& expected, const Backend& backend, const Backend::State& found);
+                        const Motion::State& expected, const Backend& backend, const Motion::State& found);
 
 // Compares the state of every backend with the reference's, which must be finite; returns its hash.
 uint64_t require_same_states(Session& session, const ComparisonPoint& point);

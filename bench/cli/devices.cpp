@@ -13,9 +13,9 @@ namespace spherepair {
 namespace {
 
 // Kernel -> milliseconds; null if the kernels were compiled when the program was built.
-json compile_all(Backend& backend, std::FILE* report) {
+json compile_all(Instruments& instruments, std::FILE* report) {
   json times;
-  for (const StageTime& time : backend.compile_kernels()) {
+  for (const StageTime& time : instruments.compile_kernels()) {
     times[time.stage] = 1e3 * time.seconds;
     fmt::print(report, "  compiling {:<24} {:.2f} ms\n", time.stage, 1e3 * time.seconds);
   }

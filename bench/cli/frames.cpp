@@ -33,10 +33,10 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
                  {"backends", session.to_json()},   {"width", options.width},
                  {"height", options.height},        {"packing_fraction", options.packing_fraction},
                  {"window", options.window}};
-  const auto show = [&](Backend& backend) {
+  const auto show = [&](Drawing& drawing) {
     if (!window) return;
     window->next(Present::never);
-    if (!backend.show(window->texture(options.width, options.height))) window->upload(backend.image());
+    if (!drawing.show(window->texture(options.width, options.height))) window->upload(drawing.image());
     window->show();
   };
   FramesStudy study(session, options, show);

@@ -83,9 +83,9 @@ void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& foun
   found.totals.fingerprint = fingerprint(found.pairs);
 }
 
-Found find_listed(Backend& backend, const SphereFile& input, const PairsOptions& options, const CollideOptions& how) {
+Found find_listed(Search& search, const SphereFile& input, const PairsOptions& options, const CollideOptions& how) {
   Found found;
-  ListedSpheres listed = find_listed(backend, input, options.cutoff, options.csr, how);
+  ListedSpheres listed = find_listed(search, input, options.cutoff, options.csr, how);
   found.totals = listed.totals;
   found.counts = std::move(listed.counts);
   found.listed = std::move(listed.pairs);
@@ -93,15 +93,14 @@ Found find_listed(Backend& backend, const SphereFile& input, const PairsOptions&
   return found;
 }
 
-Found find_pairs(Backend& backend, const SphereFile& input, const CollideOptions& options,
-                 std::optional<double> cutoff) {
+Found find_pairs(Search& search, const SphereFile& input, const CollideOptions& options, std::optional<double> cutoff) {
   Found found;
-  found.within_reach = pairs_within_reach(backend, input.scene, input.rounding, options);
-  backend.upload(input.scene);
-  backend.collide(options);
-  found.totals = backend.collisions();
-  found.counts = backend.counts();
-  if (options.want_pairs) found.pairs = backend.pairs();
+  found.within_reach = pairs_within_reach(search, input.scene, input.rounding, options);
+  search.upload(input.scene);
+  search.collide(options);
+  found.totals = search.collisions();
+  found.counts = search.counts();
+  if (options.want_pairs) found.pairs = search.pairs();
   if (cutoff) leave_pairs_beyond(*cutoff, input.scene.positions, found);
   found.degrees = degrees_of(found.counts);
   return found;

@@ -38,6 +38,7 @@ struct Series {
   std::optional<LegendStrip> strip = {};
 
   Backend& backend() const { return *chosen.backend; }
+  Drawing& drawing() const { return drawing_of(backend()); }
   uint64_t images() const { return options.frames ? starts.size() : options.images; }
   const Start& start(uint64_t k) const { return starts[options.frames ? k : 0]; }
   uint64_t step(uint64_t k) const { return start(k).step + options.steps + (options.frames ? 0 : k * options.every); }
@@ -57,12 +58,12 @@ json record(const Series& series, uint64_t k, const Legend& legend) {
 }
 
 // Brings the backend to the spheres of image k and finds their pairs. Call it for one image after the other.
-Backend::State advance(const Series& series, uint64_t k) {
+Motion::State advance(const Series& series, uint64_t k) {
   Backend& backend = series.backend();
   if (series.options.frames || k == 0) upload_start(series.start(k), backend);
   const uint64_t steps = series.options.frames ? 0 : k == 0 ? series.options.steps : series.options.every;
   for (uint64_t step = 0; step < steps; ++step) backend.move();
-  Backend::State state = current_state(backend);
+  Motion::State state = current_state(backend);
   require_finite(state, series.step(k));
   backend.collide({.method = series.method});
   return state;
@@ -91,7 +92,7 @@ Legend widest_legend(const Series& series) {
 
 // Chooses colours, legend, camera, box and ground from the first image's spheres or from all frames: the same for all
 // images.
-void compose(Series& series, const Backend::State& first, const std::vector<double>& values) {
+void compose(Series& series, const Motion::State& first, const std::vector<double>& values) {
   const RenderOptions& options = series.options;
   series.colouring = colouring_of(series.by(), series.starts, values, options.colour_range.has_value());
   if (options.legend) series.strip = LegendStrip::within(widest_legend(series), options.width, options.height);
@@ -121,7 +122,7 @@ std::vector<double> values_for_colours(const Series& series, Progress& progress)
   std::vector<double> sample;
   for (uint64_t k = 0; k < series.images(); ++k) {
     progress.say(fmt::format("range of the colours: image {} of {}", k + 1, series.images()));
-    const Backend::State state = advance(series, k);
+    const Motion::State state = advance(series, k);
     const std::vector<double> values = values_of(series.by(), series.start(k), series.backend(), state);
     for (uint64_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);
   }
@@ -142,8 +143,8 @@ struct Remarks {
 
 std::vector<uint> draw_one(const Series& series, uint64_t k, const std::vector<double>& values, json& image_record,
                            Remarks& remarks) {
-  series.backend().set_classes(series.colouring->classes(values));
-  DrawnImage drawn = draw_image(series.backend(), series.image);
+  series.drawing().set_classes(series.colouring->classes(values));
+  DrawnImage drawn = draw_image(series.drawing(), series.image);
   require_spheres(series, k, !drawn.blank);
   remarks.blank += drawn.blank;
   const double highest = values.empty() ? 0 : std::ranges::max(values);
@@ -167,7 +168,7 @@ Remarks draw_series(Series& series) {
   for (uint64_t k = 0; k < series.images(); ++k) {
     progress.say(fmt::format("image {} of {}{}", k + 1, series.images(),
                              options.frames ? "" : fmt::format(", step {}", series.step(k))));
-    const Backend::State state = advance(series, k);
+    const Motion::State state = advance(series, k);
     const std::vector<double> values = values_of(series.by(), series.start(k), series.backend(), state);
     if (k == 0) require_spheres(series, k, !values.empty());
     if (k == 0) compose(series, state, chosen.empty() ? values : chosen);
@@ -195,7 +196,7 @@ void print_summary(const Series& series, const Remarks& remarks) {
              first.label, counted(first.scene.size(), "sphere"), passed_over_text(series.chosen),
              describe_contacts(first.scene));
   if (series.image.method != DrawMethod::compute)
-    fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.backend()),
+    fmt::print("drawn by {} in OpenGL{}{}\n", options.draw, transfer_in_words(series.drawing()),
                series.lights ? ", without ambient occlusion and shadows on the spheres: --draw compute has both" : "");
   if (!series.colouring->grouping().empty()) fmt::print("{}\n", series.colouring->grouping());
   if (remarks.beyond)

@@ -162,7 +162,7 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());
   if (!options.spheres_file.empty()) {
-    const Backend::State state = current_state(backend);
+    const Motion::State state = current_state(backend);
     write_spheres(options.spheres_file, state.positions, state.velocities, box_of(start.scene));
   }
   const bool taken = is_standard_output({options.pairs_file, options.contacts_file, options.spheres_file,

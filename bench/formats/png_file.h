@@ -9,7 +9,7 @@
 
 namespace spherepair {
 
-// Pixels in the format of Backend::image(). Throws std::invalid_argument if the file cannot be written.
+// Pixels in the format of Drawing::image(). Throws std::invalid_argument if the file cannot be written.
 void write_png(const std::filesystem::path& path, std::span<const uint> pixels, uint width, uint height);
 
 }  // namespace spherepair

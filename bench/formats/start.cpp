@@ -153,8 +153,8 @@ void add_inputs(OutputFiles& files, const StartOptions& options) {
   files.read("--resume", options.resume_file);
 }
 
-void upload_start(const Start& start, Backend& backend) {
-  start.motion ? backend.resume(start.scene, *start.motion) : backend.upload(start.scene);
+void upload_start(const Start& start, Motion& motion) {
+  start.motion ? motion.resume(start.scene, *start.motion) : motion.upload(start.scene);
 }
 
 }  // namespace spherepair

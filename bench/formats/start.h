@@ -8,7 +8,7 @@
 #include "bench/io/output_files.h"
 #include "bench/io/report.h"
 #include "bench/spheres/rounding.h"
-#include "common/backend/backend.h"
+#include "common/backend/motion.h"
 #include "common/scene/motion_state.h"
 #include "common/scene/scene.h"
 
@@ -62,6 +62,6 @@ std::string species_warning(const Start& start);
 void add_inputs(OutputFiles& files, const StartOptions& options);
 
 // Uploads the scene, or resumes from the checkpoint.
-void upload_start(const Start& start, Backend& backend);
+void upload_start(const Start& start, Motion& motion);
 
 }  // namespace spherepair

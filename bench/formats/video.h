@@ -20,7 +20,7 @@ class Video {
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
-  void add(const std::vector<uint>& image);  // in the format of Backend::image()
+  void add(const std::vector<uint>& image);  // in the format of Drawing::image()
   void commit();
 
  private:

@@ -133,16 +133,16 @@ Timed time_on_device(Device& device, const ListProblem& problem, bool wants_shif
   return timed;
 }
 
-Timed time_on_host(Backend& backend, const ListProblem& problem) {
+Timed time_on_host(Search& search, const ListProblem& problem) {
   const auto start = Clock::now();
-  const auto list = list_pairs(backend, problem);
+  const auto list = list_pairs(search, problem);
   return {int64_t(list.size()), std::chrono::duration<double>(Clock::now() - start).count()};
 }
 
 // The list's pairs in one number.
-uint64_t hash_of(Backend& backend, const ListProblem& problem) {
+uint64_t hash_of(Search& search, const ListProblem& problem) {
   uint64_t hash = 0;
-  for (const ListedPair& pair : list_pairs(backend, problem))
+  for (const ListedPair& pair : list_pairs(search, problem))
     for (const uint64_t word : {uint64_t(pair.first), uint64_t(pair.second), uint64_t(uint32_t(pair.shift[0])),
                                 uint64_t(uint32_t(pair.shift[1])), uint64_t(uint32_t(pair.shift[2]))})
       hash = (hash ^ word) * 0x9E3779B97F4A7C15u, hash ^= hash >> 29;

@@ -134,7 +134,7 @@ CollideOptions launch_options(const LaunchPath& path, LaunchWork work) {
 }
 
 void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
-  if (path.persistent) return backend.enqueue_persistent_steps(uint(steps));
+  if (path.persistent) return backend.persistent_steps()->enqueue_steps(uint(steps));
   const CollideOptions options = launch_options(path, work);
   for (uint64_t k = 0; k < steps; ++k) switch (work) {
       case LaunchWork::empty:
@@ -149,7 +149,7 @@ void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, ui
 }
 
 void run_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps) {
-  if (path.persistent) return backend.run_persistent_steps(uint(steps));
+  if (path.persistent) return backend.persistent_steps()->run_steps(uint(steps));
   if (work == LaunchWork::empty) return enqueue_steps(path, work, backend, steps), backend.finish();
   const CollideOptions options = launch_options(path, work);
   enqueue_steps(path, work, backend, steps - 1);

@@ -31,7 +31,7 @@ std::span<const LaunchPath> launch_paths();
 
 CollideOptions launch_options(const LaunchPath& path, LaunchWork work);
 
-// Enqueues `steps` steps.
+// Enqueues `steps` steps. The persistent path needs a backend with persistent_steps().
 void enqueue_steps(const LaunchPath& path, LaunchWork work, Backend& backend, uint64_t steps);
 
 // Runs `steps` steps, the last one as a complete search with results.

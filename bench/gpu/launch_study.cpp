@@ -103,7 +103,7 @@ bool LaunchStudy::check(Row& row, LaunchWork work, const Scene& scene, const Sce
         fmt::format("{}, {} of {}: {}", name_of(*row.path), launch_work_name(work), scene.size(), reason));
     return false;
   };
-  if (row.path->persistent && !row.backend->has_persistent_steps())
+  if (row.path->persistent && !row.backend->persistent_steps())
     return leave_out("this device launches no kernel whose groups wait for each other");
   row.backend->upload(scene);
   try {

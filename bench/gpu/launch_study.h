@@ -48,8 +48,8 @@ class LaunchStudy {
   std::function<void()> write_;
   Sampling sampling_;
   Progress progress_;
-  StepResult expected_;            // the reference's result at this size ...
-  Backend::State expected_state_;  // ... and its state, if spheres move
+  StepResult expected_;           // the reference's result at this size ...
+  Motion::State expected_state_;  // ... and its state, if spheres move
 };
 
 }  // namespace spherepair

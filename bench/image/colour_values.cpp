@@ -15,8 +15,8 @@ double radius_of(const Start& start, const vec4& sphere) {
 
 }  // namespace
 
-std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state) {
-  std::vector<double> values = values_of(by, backend, state);
+std::vector<double> values_of(ColourBy by, const Start& start, Search& search, const Motion::State& state) {
+  std::vector<double> values = values_of(by, search, state);
   if (by == ColourBy::species) {
     if (start.species_index.size() != values.size())
       throw std::invalid_argument(

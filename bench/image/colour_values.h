@@ -9,7 +9,7 @@ namespace spherepair {
 
 // The value of each sphere that decides its colour (colouring.h). Radii are in the start's unit of length; a species is
 // its index in Start::species.
-std::vector<double> values_of(ColourBy by, const Start& start, Backend& backend, const Backend::State& state);
+std::vector<double> values_of(ColourBy by, const Start& start, Search& search, const Motion::State& state);
 
 // The range of speeds for a video's colours: from 0 to the 98 % quantile; the fastest 2 % share the last colour.
 std::vector<double> range_of_speeds(std::vector<double> speeds);

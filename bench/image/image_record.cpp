@@ -40,8 +40,8 @@ json to_json(const View& view) {
 }
 
 // How the spheres reached OpenGL; null if there was no transfer.
-json transfer_taken(const Backend& backend) {
-  const auto taken = backend.transfer_taken();
+json transfer_taken(Backend& backend) {
+  const auto taken = drawing_of(backend).transfer_taken();
   return taken ? json(transfer_name(*taken)) : json();
 }
 

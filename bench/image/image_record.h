@@ -4,6 +4,7 @@
 
 #include "bench/formats/start.h"
 #include "bench/legend/legend.h"
+#include "common/backend/backend.h"
 #include "common/image/antialiased_image.h"
 
 namespace spherepair {

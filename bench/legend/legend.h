@@ -25,7 +25,7 @@ class LegendStrip {
   static std::optional<LegendStrip> within(const Legend& widest, uint width, uint height);
   uint height() const { return height_; }
 
-  // Adds it to an image of this width, in the format of Backend::image().
+  // Adds it to an image of this width, in the format of Drawing::image().
   void append_to(std::vector<uint>& image, const Legend& legend) const;
 
  private:

@@ -18,12 +18,12 @@ ListProblem problem_of(const PeriodicSpheres& spheres, std::optional<double> cut
   return problem;
 }
 
-ListedSpheres find_listed(Backend& backend, const SphereFile& input, std::optional<double> cutoff, bool full,
+ListedSpheres find_listed(Search& search, const SphereFile& input, std::optional<double> cutoff, bool full,
                           const CollideOptions& how) {
   const ListProblem problem = problem_of(*input.periodic, cutoff, full);
   ListedSpheres found;
   try {
-    found.pairs = list_pairs(backend, problem, how);
+    found.pairs = list_pairs(search, problem, how);
   } catch (const ListError& error) {
     throw std::invalid_argument(fmt::format("{}: {}", input.file, error.what()));
   }

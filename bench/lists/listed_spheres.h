@@ -17,7 +17,7 @@ struct ListedSpheres {
 };
 
 // Throws std::invalid_argument that names the file.
-ListedSpheres find_listed(Backend& backend, const SphereFile& input, std::optional<double> cutoff, bool full,
+ListedSpheres find_listed(Search& search, const SphereFile& input, std::optional<double> cutoff, bool full,
                           const CollideOptions& how);
 
 }  // namespace spherepair

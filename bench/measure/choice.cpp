@@ -67,14 +67,14 @@ json to_json(const MethodChoice& choice) {
   return out;
 }
 
-Method choose_method(const std::string& name, const Backend& backend) {
+Method choose_method(const std::string& name, const Search& search) {
   if (name.empty()) return Method::automatic;
   std::vector<std::string> known;
-  for (Method method : backend.methods()) known.push_back(method_name(method));
+  for (Method method : search.methods()) known.push_back(method_name(method));
   known.push_back(method_name(Method::automatic));
   const Method method = method_from_name(name);
-  refuse_tensor(backend.info().name, {.method = method}, std::ranges::count(known, name) != 0);
-  require_known("method of the backend " + backend.info().name + ":", name, known);
+  refuse_tensor(search.info().name, {.method = method}, std::ranges::count(known, name) != 0);
+  require_known("method of the backend " + search.info().name + ":", name, known);
   return method;
 }
 

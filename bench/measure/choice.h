@@ -25,6 +25,6 @@ std::string passed_over_text(const ChosenBackend& chosen);
 json to_json(const MethodChoice& choice);
 
 // The named method, which the backend must have; without a name Method::automatic.
-Method choose_method(const std::string& name, const Backend& backend);
+Method choose_method(const std::string& name, const Search& search);
 
 }  // namespace spherepair

@@ -15,13 +15,18 @@ double issue_rate(const Session& session) {
   return std::stod(units->second) * 128 * std::stod(clock->second) * 1e6;
 }
 
+PeakRateKernels& peak_rates_of(Backend& backend) {
+  if (PeakRateKernels* kernels = backend.peak_rates()) return *kernels;
+  throw BackendError(backend.info().name + ": has no kernels for peak rates; measure a GPU's API");
+}
+
 double copy_rate(Session& session, Backend& device, const Sampling& sampling, Progress& progress) {
   constexpr uint64_t beyond_caches = uint64_t(1) << 25;  // spheres: 0.5 GB read, 0.5 GB written
   device.upload(make_scene({.name = "uniform", .n = beyond_caches}));
-  device.check_peak_rate(PeakRate::copy);
+  peak_rates_of(device).check(PeakRate::copy);
   const Contender copy{.label = device.info().name + " peak copy",
                        .backend = &device,
-                       .step = [](Backend& b) { b.launch_peak_rate(PeakRate::copy); },
+                       .step = [](Backend& b) { peak_rates_of(b).launch(PeakRate::copy); },
                        .working_set = copy_set_bytes * beyond_caches};
   const std::vector<Samples> samples = measure(session, {&copy, 1}, sampling, progress);
   return 2 * sizeof(vec4) * double(beyond_caches) / samples.front().median_seconds();

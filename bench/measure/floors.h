@@ -23,6 +23,9 @@ constexpr double grid_bytes_in_cell_order = 2 * 16 + 7 + 4, grid_bytes_in_random
 // NaN if CUDA is not open.
 double issue_rate(const Session& session);
 
+// The kernels that measure this device. Throws BackendError for the CPU, which has none.
+PeakRateKernels& peak_rates_of(Backend& backend);
+
 // Bytes per second, read and written, that a device copies beyond its caches. Replaces the uploaded scene.
 double copy_rate(Session& session, Backend& device, const Sampling& sampling, Progress& progress);
 

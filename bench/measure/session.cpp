@@ -15,16 +15,16 @@ namespace spherepair {
 namespace {
 
 // Identifies a kernel: its variants share the time of its first use.
-std::string first_key(const Backend& backend, const CollideOptions& options) {
-  return fmt::format("{} {} {}", backend.info().name, method_name(options.method), options.block);
+std::string first_key(const Search& search, const CollideOptions& options) {
+  return fmt::format("{} {} {}", search.info().name, method_name(options.method), options.block);
 }
 
 }  // namespace
 
 bool on_hardware(const Backend& backend) { return !backend.info().on_host && !backend.info().software; }
 
-std::string transfer_in_words(const Backend& backend) {
-  const auto taken = backend.transfer_taken();
+std::string transfer_in_words(const Drawing& drawing) {
+  const auto taken = drawing.transfer_taken();
   if (!taken) return {};
   if (*taken == Transfer::imported) return ", its spheres copied into memory that OpenGL shares";
   if (*taken == Transfer::registered) return ", its spheres copied into OpenGL's buffers, which CUDA maps";
@@ -79,18 +79,18 @@ Backend* Session::find(const std::string& name) const {
   return nullptr;
 }
 
-void Session::collide(Backend& backend, const CollideOptions& options) {
-  const std::string key = first_key(backend, options);
-  if (first_.contains(key)) return backend.collide(options);
-  backend.finish();
+void Session::collide(Search& search, const CollideOptions& options) {
+  const std::string key = first_key(search, options);
+  if (first_.contains(key)) return search.collide(options);
+  search.finish();
   const auto start = std::chrono::steady_clock::now();
-  backend.collide(options);
-  backend.finish();
+  search.collide(options);
+  search.finish();
   first_[key] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double Session::first_seconds(const Backend& backend, const CollideOptions& options) const {
-  const auto found = first_.find(first_key(backend, options));
+double Session::first_seconds(const Search& search, const CollideOptions& options) const {
+  const auto found = first_.find(first_key(search, options));
   return found == first_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 

@@ -44,8 +44,8 @@ class Session {
   TimingCounts timings;  // of the whole run
 
   // Runs a complete search. Keeps the time of a kernel's first use in this process, which compiles it.
-  void collide(Backend& backend, const CollideOptions& options);
-  double first_seconds(const Backend& backend, const CollideOptions& options) const;
+  void collide(Search& search, const CollideOptions& options);
+  double first_seconds(const Search& search, const CollideOptions& options) const;
 
   // The device timer's reading of an empty kernel in seconds, measured once an API: shorter readings of stages mean
   // nothing. None without a timer.
@@ -70,7 +70,7 @@ class Session {
 
 bool on_hardware(const Backend& backend);  // a GPU: neither the CPU nor OpenGL or Vulkan in software
 // ", " and the last transfer of spheres to OpenGL's pipeline; empty without a transfer.
-std::string transfer_in_words(const Backend& backend);
+std::string transfer_in_words(const Drawing& drawing);
 
 std::string device_label(const BackendInfo& info);
 

@@ -45,7 +45,7 @@ std::string first_rows(const RunOptions& options, const Start& start, const std:
   return std::string(rows.substr(0, at + 1)) + row;
 }
 
-std::string trajectory_frame(const Scene& scene, const Backend::State& state, uint64_t step) {
+std::string trajectory_frame(const Scene& scene, const Motion::State& state, uint64_t step) {
   const std::string keys = fmt::format(" step={} time={}", step, double(step) * double(scene.dt));
   return xyz_frame(state.positions, state.velocities, box_of(scene), keys);
 }

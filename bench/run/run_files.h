@@ -14,7 +14,7 @@ namespace spherepair {
 std::string first_rows(const RunOptions& options, const Start& start, const std::string& row, uint64_t end);
 
 // A frame of the trajectory: extended XYZ with the step, the time in seconds and the box.
-std::string trajectory_frame(const Scene& scene, const Backend::State& state, uint64_t step);
+std::string trajectory_frame(const Scene& scene, const Motion::State& state, uint64_t step);
 
 // Throws for a file that is not extended XYZ, and for frames that a run from a checkpoint would replace.
 void check_trajectory(const RunOptions& options);

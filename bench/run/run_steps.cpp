@@ -16,8 +16,8 @@ namespace {
 
 constexpr uint64_t steps_between_looks = 1000;  // for --until-rest
 
-void save(Backend& backend, const Start& start, uint64_t step, const Backend::State& state, const std::string& file) {
-  Checkpoint checkpoint{start.scene, backend.save(), step};
+void save(Motion& motion, const Start& start, uint64_t step, const Motion::State& state, const std::string& file) {
+  Checkpoint checkpoint{start.scene, motion.save(), step};
   checkpoint.scene.positions = state.positions;
   checkpoint.scene.velocities = state.velocities;
   write_checkpoint(file, checkpoint);
@@ -104,7 +104,7 @@ void Run::look_for_rest(uint64_t state) {
   seen_ = {step_, state, {}};
 }
 
-void Run::summarize(const Backend::State& state) {
+void Run::summarize(const Motion::State& state) {
   summary_.step = step_;
   summary_.seconds = double(step_) * double(start_.scene.dt);
   for (const vec4& v : state.velocities)
@@ -120,7 +120,7 @@ void Run::stand() {
   const bool looks = start_.scene.contact.drag > 0 &&
                      (step_ + 1 >= end_ || (options_.until_rest && (step_ + 1) % steps_between_looks <= 1));
   if (!wanted && !measures && !frames && !saves && !looks) return;
-  Backend::State state;
+  Motion::State state;
   RunStep result{step_, 0, {}};
   times_.count(RunTimes::states, 1);
   times_.spend(RunTimes::states, [&] {

@@ -54,7 +54,7 @@ class Run {
   void move_to(uint64_t stop);
   void stand();
   void look_for_rest(uint64_t state);
-  void summarize(const Backend::State& state);
+  void summarize(const Motion::State& state);
   bool is_due(uint64_t every) const { return every && (step_ == end_ || step_ == start_.step || step_ % every == 0); }
   bool finds_contacts() const;
   uint64_t statistics_every() const { return options_.statistics_file.empty() ? 0 : options_.statistics_every; }

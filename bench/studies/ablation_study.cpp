@@ -8,6 +8,7 @@
 
 #include "api/open.h"
 #include "bench/io/scene_text.h"
+#include "bench/measure/floors.h"
 #include "bench/studies/ablation_work.h"
 #include "bench/studies/study_sampling.h"
 
@@ -105,7 +106,7 @@ void AblationStudy::check(const Case& which) {
   hold(*which.on, which.ablation->spheres);
   holding_.erase(which.on);  // copying overwrites the spheres
   spending(spent.checking,
-           [&] { which.on->check_peak_rate(PeakRate::copy), which.on->check_peak_rate(PeakRate::words); });
+           [&] { peak_rates_of(*which.on).check(PeakRate::copy), peak_rates_of(*which.on).check(PeakRate::words); });
 }
 
 // Checks that on and off find the reference's set; up to brute_force_up_to spheres the reference uses no grid.
@@ -134,7 +135,7 @@ void AblationStudy::check_moves(const Case& which) {
     for (int k = 0; k < moves; ++k) step_of(*which.ablation, on)(backend);
     return current_state(backend);
   };
-  const Backend::State reference_state = moved(*reference().backend, true);
+  const Motion::State reference_state = moved(*reference().backend, true);
   spending(spent.checking, [&] {
     for (const bool on : {false, true})
       require_same_state(session_, {options, uint64_t(moves)}, *reference().backend, reference_state, *which.on,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/measure/floors.h"
 #include "bench/studies/frames.h"
 #include "common/scene/camera.h"
 #include "common/scene/contact_scene.h"
@@ -34,12 +35,12 @@ json counts_json(const WorkCounts& before, const WorkCounts& after) {
 }
 
 // Means per step: the spheres tested against the plane, and the spheres that bounced.
-json plane_json(bool event_driven, Backend& backend, const Scene& scene) {
+json plane_json(bool event_driven, Motion& motion, const Scene& scene) {
   uint64_t tested = 0, bounced = 0;
   for (int k = 0; k < steps_counted; ++k) {
-    const MotionState before = backend.save();
-    backend.move();
-    const MotionState after = backend.save();
+    const MotionState before = motion.save();
+    motion.move();
+    const MotionState after = motion.save();
     for (uint64_t i = 0; i < scene.size(); ++i) {
       tested += before.next_event[i] <= (event_driven ? after.steps : NO_EVENT - 1u);
       bounced += before.since[i] != after.since[i];
@@ -61,13 +62,13 @@ std::function<void(Backend&)> step_of(const Ablation& ablation, bool on) {
   const Reads reads = on ? Reads::nothing : ablation.reads_off;
   switch (ablation.work) {
     case AblationWork::copy:
-      return [kind = on ? PeakRate::copy : PeakRate::words](Backend& backend) { backend.launch_peak_rate(kind); };
+      return [kind = on ? PeakRate::copy : PeakRate::words](Backend& backend) { peak_rates_of(backend).launch(kind); };
     case AblationWork::bounce:
-      return [on](Backend& backend) { backend.set_event_driven(on), backend.move(); };
+      return [on](Motion& motion) { motion.set_event_driven(on), motion.move(); };
     case AblationWork::walls:
-      return [](Backend& backend) { backend.move(); };
+      return [](Motion& motion) { motion.move(); };
     case AblationWork::push:
-      return [on](Backend& backend) { backend.keep_near_pairs(on), backend.move(); };
+      return [on](Motion& motion) { motion.keep_near_pairs(on), motion.move(); };
     default:
       return [reads, options = on ? ablation.on : ablation.off,
               moves = ablation.spheres == Spheres::drifting](Backend& backend) {
@@ -99,12 +100,12 @@ Scene scene_of(Spheres kind, const SceneOptions& uniform) {
 
 bool moves(Spheres kind) { return kind != Spheres::random && kind != Spheres::in_cell_order; }
 
-void start(Backend& backend, Spheres kind, const Scene& scene) {
-  backend.upload(scene);
+void start(Motion& motion, Spheres kind, const Scene& scene) {
+  motion.upload(scene);
   if (kind != Spheres::drifting && kind != Spheres::falling) return;
   const Bounds bounds = bounds_of(scene.positions);
   const double seconds = kind == Spheres::drifting ? (bounds.high[0] - bounds.low[0]) / 64 : 1;
-  for (double left = std::ceil(seconds / double(scene.dt)); left > 0; --left) backend.move();
+  for (double left = std::ceil(seconds / double(scene.dt)); left > 0; --left) motion.move();
 }
 
 json work_per_step(const Ablation& ablation, bool on, Backend& backend, const Scene& scene) {

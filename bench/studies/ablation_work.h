@@ -17,7 +17,7 @@ bool moves(Spheres kind);  // whether they move in every timed step
 
 // Uploads the scene and moves it to the start of the timing: drifting spheres until all have left their cells, falling
 // ones for a second, so that some bounce in every step.
-void start(Backend& backend, Spheres kind, const Scene& scene);
+void start(Motion& motion, Spheres kind, const Scene& scene);
 
 // Runs a few more steps and returns counts of their work. For collide: means per step of launches, sorts and the like,
 // and the pairs left to the exact stages. For bounce: spheres tested against the plane, and spheres that bounced. For

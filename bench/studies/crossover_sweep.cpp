@@ -142,7 +142,7 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
     const std::string label = fmt::format("{} {} {} of {}", w.backend->info().name, w.name, kind.name, scene.n);
     contenders.push_back({.label = label,
                           .backend = w.backend,
-                          .step = [o = w.options](Backend& b) { b.enqueue_collide(o); },
+                          .step = [o = w.options](Search& search) { search.enqueue_collide(o); },
                           .contest = "ways",
                           .alternates = true,
                           .working_set = search_set_bytes(scene.n, w.options.method, false)});

@@ -71,7 +71,7 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
   return most;
 }
 
-FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show)
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Drawing&)> show)
     : session_(session), options_(options), show_(std::move(show)), most_(most_by_draw(options.most)) {
   sampling_ = study_sampling(options.rounds);
   if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
@@ -95,7 +95,7 @@ void FramesStudy::measure_size(uint64_t n) {
   for (Backend* backend : backends) backend->upload(make_scene({.n = 0}));  // frees its memory
   if (!options_.transfer) return;
   for (Backend* backend : backends)
-    if (backend->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
+    if (backend->drawing() && backend->drawing()->transfers().size() > 1) measure_transfers(n, *backend, scene, bounds);
   measure_exchanges(n, scene);
 }
 
@@ -122,7 +122,8 @@ void FramesStudy::measure_place(uint64_t n, const std::vector<Backend*>& backend
       std::vector<FrameTask> tasks;
       for (Backend* backend : backends) {
         const FrameTask task{backend, method, place, work};
-        if (std::ranges::count(backend->draw_methods(), method) == 0) {
+        const Drawing* drawing = backend->drawing();
+        if (!drawing || std::ranges::count(drawing->draw_methods(), method) == 0) {
           leave_out(n, *backend, draw, "this backend does not have it");
         } else if (beyond_most(n, draw)) {
           leave_out(n, *backend, draw, "beyond --most");
@@ -149,7 +150,7 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
   for (size_t i = 0; i < tasks.size(); ++i) {
     const FrameTask& task = tasks[i];
     const auto draw = [&task, &views, &turn = turns[i]](Backend& backend) {
-      backend.enqueue_draw(views[turn++ % views.size()], draw_options(task));
+      drawing_of(backend).enqueue_draw(views[turn++ % views.size()], draw_options(task));
     };
     Contender& contender = contenders.emplace_back(
         Contender{.label = label(task),
@@ -166,8 +167,9 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
       contender.step = [&, &turn = turns[i], this](Backend& backend) {
         backend.move();
         backend.collide(in_dense_cells(backend, scene.size()));
-        backend.draw(views[turn++ % views.size()], draw_options(task));
-        show_(backend);
+        Drawing& drawing = drawing_of(backend);
+        drawing.draw(views[turn++ % views.size()], draw_options(task));
+        show_(drawing);
       };
     contender.restart = [&turn = turns[i], start = start_of_loop(scene)](Backend& backend) {
       turn = 0;
@@ -195,10 +197,11 @@ void FramesStudy::check(uint64_t n, const FrameTask& task, const std::vector<Vie
                 {"place", task.place},
                 {"work", task.work}};
   const bool exact = task.draw == DrawMethod::compute;
-  for (int time = 0; exact && time < 3; ++time) task.backend->draw(views.front(), draw_options(task, true));
-  if (exact && !task.backend->info().on_host) entry["counts"] = to_json(task.backend->draw_statistics());
-  for (int time = 0; time < 2; ++time) task.backend->draw(views.front(), draw_options(task));
-  const json image = entry["image"] = hex64(image_hash(task.backend->image()));
+  Drawing& drawing = drawing_of(*task.backend);
+  for (int time = 0; exact && time < 3; ++time) drawing.draw(views.front(), draw_options(task, true));
+  if (exact && !task.backend->info().on_host) entry["counts"] = to_json(drawing.draw_statistics());
+  for (int time = 0; time < 2; ++time) drawing.draw(views.front(), draw_options(task));
+  const json image = entry["image"] = hex64(image_hash(drawing.image()));
   for (const json& other : frames)
     if (other.at("n") == n && other.at("place") == task.place && other.at("draw") == "compute" && exact &&
         (other.at("work") == "lit") == (task.work == "lit") && other.at("image") != image)

@@ -35,7 +35,7 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
 class FramesStudy {
  public:
   // show: puts a backend's image into the window.
-  FramesStudy(Session& session, const FramesOptions& options, std::function<void(Backend&)> show);
+  FramesStudy(Session& session, const FramesOptions& options, std::function<void(Drawing&)> show);
 
   // Checks, then times, every requested drawing method on every backend with n spheres.
   void measure_size(uint64_t n);
@@ -56,7 +56,7 @@ class FramesStudy {
 
   Session& session_;
   const FramesOptions& options_;
-  std::function<void(Backend&)> show_;
+  std::function<void(Drawing&)> show_;
   std::map<std::string, uint64_t> most_;  // spheres by drawing method
   Sampling sampling_;
   Progress progress_;

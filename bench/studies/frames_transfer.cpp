@@ -22,20 +22,21 @@ json overlap_of(double frame, double step, double pipelined) {
 json time_transfers(const TransferTask& task, const TimeStep& time) {
   json overlaps = json::array();
   Backend& backend = *task.backend;
+  Drawing& drawing = drawing_of(backend);
   uint64_t turn = 0;
   const auto step = [&] {
     backend.move();
     backend.enqueue_collide(task.collide);
   };
   const double step_seconds = time("none", "step", step, true);
-  for (const Transfer transfer : backend.transfers()) {
+  for (const Transfer transfer : drawing.transfers()) {
     const std::string name = transfer_name(transfer);
     const auto transfer_and_draw = [&](DrawMethod method) {
-      backend.enqueue_draw(task.views[turn++ % task.views.size()],
+      drawing.enqueue_draw(task.views[turn++ % task.views.size()],
                            {.method = method, .transfer = transfer, .reuse_unchanged = false});
     };
     time(
-        "none", name, [&] { backend.transfer(transfer), backend.finish(); }, false);
+        "none", name, [&] { drawing.transfer(transfer), backend.finish(); }, false);
     for (const DrawMethod method : task.draws) {
       const std::string draw = draw_method_name(method);
       const double alone = time(

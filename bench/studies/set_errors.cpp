@@ -24,14 +24,14 @@ SceneOptions scene_options(const SetPlan& plan, MotionOptions motion, int k) {
 
 struct RunResult {
   Backend* backend;
-  Backend::State state;
+  Motion::State state;
   StepResult result;
 };
 RunResult run_for_set(Session& session, Backend& backend, const Scene& scene, uint64_t steps) {
   backend.upload(scene);
   for (uint64_t step = 0; step < steps; ++step) backend.move();
   const Configuration configuration = {&backend, {.method = choose_method("", backend)}};
-  Backend::State state = current_state(backend);
+  Motion::State state = current_state(backend);
   require_finite(state, steps);
   return {&backend, std::move(state), run_step(session, configuration, true)};
 }
@@ -74,7 +74,7 @@ std::array<Samples, 2> time_predicates(Session& session, const SetPlan& plan, Co
     options.exact = exact;
     contenders.push_back({.label = fmt::format("{} {}", label(configuration), exact ? "exact" : "naive"),
                           .backend = configuration.backend,
-                          .step = [options](Backend& backend) { backend.enqueue_collide(options); },
+                          .step = [options](Search& search) { search.enqueue_collide(options); },
                           .contest = "predicate"});
     session.collide(*configuration.backend, options);
   }

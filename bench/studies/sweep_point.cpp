@@ -143,11 +143,12 @@ PointTimes time_point(Session& session, const SweepPoint& point, const PeakRates
     const StepResult& right = expected.try_emplace(set_name(configuration.options), result).first->second;
     require_equal(session, {scene_of(point), 0}, reference, right, configuration, result);
     totals.push_back(result.totals);
-    contenders.push_back({.label = label(configuration),
-                          .backend = configuration.backend,
-                          .step = [options = configuration.options](Backend& b) { b.enqueue_collide(options); },
-                          .contest = method_name(configuration.options.method),  // each API with its own group size
-                          .working_set = search_set_bytes(point.n, configuration.options.method, point.in_cell_order)});
+    contenders.push_back(
+        {.label = label(configuration),
+         .backend = configuration.backend,
+         .step = [options = configuration.options](Search& search) { search.enqueue_collide(options); },
+         .contest = method_name(configuration.options.method),  // each API with its own group size
+         .working_set = search_set_bytes(point.n, configuration.options.method, point.in_cell_order)});
   }
   expected.clear();
   session.comparisons.require_complete();

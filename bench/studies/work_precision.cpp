@@ -25,14 +25,14 @@ void compare_states(Session& session, const SceneOptions& scene, uint64_t step) 
   session.comparisons.require_complete();
 }
 
-ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t steps) {
+ErrorEntry run_for_errors(Motion& motion, const Scene& scene, int k, uint64_t steps) {
   constexpr uint64_t samples = 16;
-  ErrorEntry entry{scene.motion, k, backend.info().name, 0, 0, 0, 0, 0};
-  backend.upload(scene);
+  ErrorEntry entry{scene.motion, k, motion.info().name, 0, 0, 0, 0, 0};
+  motion.upload(scene);
   for (uint64_t step = 1; step <= steps; ++step) {
-    backend.move();
+    motion.move();
     if (step != steps && step % std::max<uint64_t>(steps / samples, 1) != 0) continue;
-    const Backend::State state = current_state(backend);
+    const Motion::State state = current_state(motion);
     require_finite(state, step);
     const MotionErrors errors = errors_of(scene, step, state);
     entry.rms_over_time = std::max(entry.rms_over_time, errors.rms);
@@ -43,23 +43,23 @@ ErrorEntry run_for_errors(Backend& backend, const Scene& scene, int k, uint64_t 
 }
 
 // After four seconds at the longest time step, the share of bouncing spheres is stationary.
-Scene stationary_scene(const PrecisionPlan& plan, Backend& backend) {
+Scene stationary_scene(const PrecisionPlan& plan, Motion& motion) {
   Scene scene = make_scene(scene_options(plan, {MotionMethod::anchored, Precision::float32}, 4, plan.time_n));
-  backend.upload(scene);
-  for (int step = 0; step < 64; ++step) backend.move();
-  Backend::State state = current_state(backend);
+  motion.upload(scene);
+  for (int step = 0; step < 64; ++step) motion.move();
+  Motion::State state = current_state(motion);
   scene.positions = std::move(state.positions);
   scene.velocities = std::move(state.velocities);
   return scene;
 }
 
 // Only a bounce increases the upward velocity.
-double bouncing_share(Backend& backend, Scene scene, int k) {
+double bouncing_share(Motion& motion, Scene scene, int k) {
   scene.motion = {MotionMethod::anchored, Precision::float32};
   scene.dt = std::ldexp(1.0f, -k);
-  backend.upload(scene);
-  backend.move();
-  const Backend::State after = current_state(backend);
+  motion.upload(scene);
+  motion.move();
+  const Motion::State after = current_state(motion);
   uint64_t bounced = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) bounced += after.velocities[i].y > scene.velocities[i].y;
   return double(bounced) / double(std::max<uint64_t>(scene.size(), 1));
@@ -70,9 +70,9 @@ struct Work {
   std::function<void(Backend&)> step;
 };
 std::vector<Work> works_of(MotionOptions motion) {
-  std::vector<Work> works = {{"move", [](Backend& backend) { backend.move(); }}};
+  std::vector<Work> works = {{"move", [](Motion& motion) { motion.move(); }}};
   if (motion.method == MotionMethod::anchored)
-    works.push_back({"move and evaluate", [](Backend& backend) { backend.move(), backend.evaluate_positions(); }});
+    works.push_back({"move and evaluate", [](Motion& motion) { motion.move(), motion.evaluate_positions(); }});
   return works;
 }
 
@@ -155,10 +155,10 @@ std::vector<CopyEntry> measure_copies(Session& session, const PrecisionPlan& pla
   for (Backend* device : session.devices()) {
     progress.say("copying on " + device->info().name);
     device->upload(scene);
-    device->check_peak_rate(PeakRate::copy);
+    peak_rates_of(*device).check(PeakRate::copy);
     contenders.push_back({.label = "copy",
                           .backend = device,
-                          .step = [](Backend& backend) { backend.launch_peak_rate(PeakRate::copy); },
+                          .step = [](Backend& backend) { peak_rates_of(backend).launch(PeakRate::copy); },
                           .contest = "copy",
                           .working_set = copy_set_bytes * scene.size()});
   }

@@ -28,7 +28,7 @@ std::vector<Version> versions_of(const Study& study, Backend& one_thread) {
   std::vector<Version> versions = {
       {"sequential", &one_thread, Method::sequential, {DrawMethod::mesh_each, DrawMethod::quadric}}};
   for (Backend* device : study.session.devices())
-    if (std::ranges::count(device->draw_methods(), DrawMethod::mesh) != 0)
+    if (device->drawing() && std::ranges::count(device->drawing()->draw_methods(), DrawMethod::mesh) != 0)
       versions.push_back({device->info().name, device, Method::collide_tiled, {DrawMethod::mesh}});
   return versions;
 }
@@ -45,7 +45,7 @@ View view_of(const Scene& scene) {
 }
 
 void draw(Backend& backend, DrawMethod method, const View& view) {
-  backend.enqueue_draw(view, {.method = method, .reuse_unchanged = false});
+  drawing_of(backend).enqueue_draw(view, {.method = method, .reuse_unchanged = false});
 }
 
 // Checks that every backend draws the same mesh, in one draw or many.
@@ -54,8 +54,9 @@ void require_equal_images(const std::vector<Version>& versions, const Scene& sce
   for (const Version& version : versions) {
     version.backend->upload(scene);
     version.backend->collide({.method = version.pairs});
-    version.backend->draw(view, {.method = version.draws.front()});
-    const std::vector<uint> image = version.backend->image();
+    Drawing& drawing = drawing_of(*version.backend);
+    drawing.draw(view, {.method = version.draws.front()});
+    const std::vector<uint> image = drawing.image();
     if (expected.empty()) expected = image;
     if (image != expected)
       throw DifferenceFound(fmt::format("frame_rates: {} drawn by {} {} and by {} {} give different images",

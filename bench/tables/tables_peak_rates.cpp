@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "bench/measure/floors.h"
 #include "bench/tables/study.h"
 
 namespace spherepair {
@@ -25,10 +26,10 @@ std::vector<std::string> peak_row(Study& study, const PeakRateKind& kind, const 
   std::vector<Contender> contenders;
   for (Backend* device : study.session.devices()) {
     study.progress.say(fmt::format("peak rates: checking {} on {}, n = {}", kind.name, device->info().name, scene.n));
-    device->check_peak_rate(kind.peak);
+    peak_rates_of(*device).check(kind.peak);
     contenders.push_back({.label = fmt::format("{} peak {}", device->info().name, kind.name),
                           .backend = device,
-                          .step = [&kind](Backend& b) { b.launch_peak_rate(kind.peak); },
+                          .step = [&kind](Backend& b) { peak_rates_of(b).launch(kind.peak); },
                           .contest = kind.name});
   }
   const double amount = kind.per_sphere * double(scene.n);

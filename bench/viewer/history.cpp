@@ -30,13 +30,13 @@ uint64_t History::Kept::bytes() const {
 }
 
 // Drops every other state when there are too many.
-void History::record(Backend& backend, uint64_t step) {
+void History::record(Motion& motion, uint64_t step) {
   if (step <= last_) return;
   last_ = step;
   if ((step - first()) % every_ != 0) return;
-  Kept now{current_state(backend), {}};
+  Kept now{current_state(motion), {}};
   require_finite(now.state, step);
-  now.motion = backend.save();
+  now.motion = motion.save();
   const uint64_t most = std::min(most_states, most_bytes_ / std::max<uint64_t>(now.bytes(), 1));
   kept_[step] = std::move(now);
   while (kept_.size() > most) {
@@ -45,20 +45,20 @@ void History::record(Backend& backend, uint64_t step) {
   }
 }
 
-void History::go_to(Backend& backend, uint64_t step) {
+void History::go_to(Motion& motion, uint64_t step) {
   auto found = kept_.upper_bound(step);
   uint64_t at = first();
   if (found == kept_.begin()) {
-    upload_start(start_, backend);
+    upload_start(start_, motion);
   } else {
     const auto& [step_of, kept] = *std::prev(found);
     Scene scene = start_.scene;
     scene.positions = kept.state.positions;
     scene.velocities = kept.state.velocities;
-    backend.resume(scene, kept.motion);
+    motion.resume(scene, kept.motion);
     at = step_of;
   }
-  for (; at < step; ++at) backend.move();
+  for (; at < step; ++at) motion.move();
 }
 
 }  // namespace spherepair

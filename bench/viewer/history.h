@@ -5,7 +5,7 @@
 #include <map>
 
 #include "bench/formats/start.h"
-#include "common/backend/backend.h"
+#include "common/backend/motion.h"
 
 namespace spherepair {
 
@@ -14,15 +14,15 @@ class History {
   // most_bytes: host memory for states; with room for few of them, going back takes more steps.
   explicit History(const Start& start, uint64_t most_bytes = uint64_t(1) << 30);
 
-  void record(Backend& backend, uint64_t step);  // `step` is the one that the backend has just reached
-  void go_to(Backend& backend, uint64_t step);   // from the first step of the run to the last that was reached
+  void record(Motion& motion, uint64_t step);  // `step` is the one that the backend has just reached
+  void go_to(Motion& motion, uint64_t step);   // from the first step of the run to the last that was reached
   uint64_t first() const { return start_.step; }
   uint64_t last() const { return last_; }
   size_t states() const { return kept_.size(); }
 
  private:
   struct Kept {
-    Backend::State state;
+    Motion::State state;
     MotionState motion;
     uint64_t bytes() const;
   };

@@ -65,7 +65,7 @@ void Viewer::list_choices() {
   methods_.names.clear();
   draws_.names.clear();
   for (const Method each : backend().methods()) methods_.names.push_back(method_name(each));
-  for (const DrawMethod each : backend().draw_methods()) draws_.names.push_back(draw_method_name(each));
+  for (const DrawMethod each : drawing().draw_methods()) draws_.names.push_back(draw_method_name(each));
   methods_.pick(method);
   draws_.pick(draw);
 }
@@ -73,7 +73,7 @@ void Viewer::list_choices() {
 // Continues the run on another backend with the same bits; if that fails, stays on this one.
 void Viewer::change_backend(size_t next) {
   Scene scene = start_.scene;
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   require_finite(state, step_);
   const MotionState saved = backend().save();
   scene.positions = state.positions;
@@ -98,7 +98,7 @@ void Viewer::choose_colours() {
   coloured_by_ = colours_.chosen;
   palette_ = contact_look();
   if (coloured_by_ == COLOUR_BY_CONTACTS) return;
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   const bool speed = coloured_by_ == COLOUR_BY_SPEED;
   double lowest = speed ? 0 : INFINITY, highest = 0;
   for (size_t i = 0; i < start_.scene.size(); ++i) {
@@ -153,7 +153,7 @@ void Viewer::collide() {
 bool Viewer::shown_without_host(uint texture) {
   if (!options_.shared) return false;
   try {
-    return backend().show(texture);
+    return drawing().show(texture);
   } catch (const BackendError& error) {
     error_ = error.what();
     return false;
@@ -180,7 +180,7 @@ ImageOptions Viewer::still_image(const Window& window) const {
 // Takes and reads back one sample a frame of an image that stands still, and shows their mean after the last one.
 void Viewer::refine(Window& window, const ImageOptions& image) {
   if (samples_.count() == still_samples) return;
-  samples_.add(draw_sample(backend(), image, samples_.count()).pixels);
+  samples_.add(draw_sample(drawing(), image, samples_.count()).pixels);
   if (samples_.count() < still_samples) return;
   window.texture(image.width, image.height);
   window.upload(samples_.mean());
@@ -195,10 +195,10 @@ void Viewer::draw(Window& window) {
   }
   shown_ = now;
   samples_ = {};
-  timed(seconds_.draw, [&] { backend().draw(now.view, {.method = image.method}); });
+  timed(seconds_.draw, [&] { drawing().draw(now.view, {.method = image.method}); });
   timed(seconds_.show, [&] {
     const uint texture = window.texture(image.width, image.height);
-    if (!shown_without_host(texture)) window.upload(backend().image());
+    if (!shown_without_host(texture)) window.upload(drawing().image());
   });
 }
 

@@ -61,6 +61,7 @@ class Viewer {
   };
 
   Backend& backend() const { return *session_.backends()[running_]; }
+  Drawing& drawing() const { return drawing_of(backend()); }
   void change_backend(size_t next);
   void go_to(uint64_t step);
   void pick(std::array<uint, 2> pixel);

@@ -32,10 +32,10 @@ void Viewer::pick(std::array<uint, 2> pixel) {
   picked_.clear();
   const View& seen = shown_->view;
   if (pixel[0] >= seen.width || pixel[1] >= seen.height) return;
-  backend().draw(seen, {.keep_visible = true});
-  const uint sphere = backend().visible()[size_t(pixel[1]) * seen.width + pixel[0]].x;
+  drawing().draw(seen, {.keep_visible = true});
+  const uint sphere = drawing().visible()[size_t(pixel[1]) * seen.width + pixel[0]].x;
   if (sphere >= start_.scene.size()) return;
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   const vec4 &at = state.positions[sphere], &v = state.velocities[sphere];
   picked_ = fmt::format("sphere {} at step {}: {}\ncentre {:.4g}, {:.4g}, {:.4g}; radius {:.4g}; speed {:.4g}", sphere,
                         step_, counted(backend().counts()[sphere], "contact"), at.x, at.y, at.z, at.w,
@@ -44,7 +44,7 @@ void Viewer::pick(std::array<uint, 2> pixel) {
 
 void Viewer::save_image(const Window& window) {
   const ImageOptions image = still_image(window);
-  std::vector<uint> pixels = draw_image(backend(), image).pixels;
+  std::vector<uint> pixels = draw_image(drawing(), image).pixels;
   const Legend legend = legend_of(image.look, {counted(start_.scene.size(), "sphere"), counted(totals_.pairs, "pair"),
                                                fmt::format("step {}", step_)});
   const auto strip = LegendStrip::within(legend, image.width, image.height);
@@ -124,8 +124,8 @@ void Viewer::tell_times(Window& window) {
                           counted(totals_.colliding_spheres, "sphere")));
   window.text(pace_.text() + "  (+, -, f)");
   window.text(fmt::format("move {} ms, collide {} ms", format_ms(seconds_.move), format_ms(seconds_.collide)));
-  if (draws_.name() != draw_method_name(DrawMethod::compute) && backend().transfer_taken())
-    window.text(fmt::format("spheres to OpenGL: {}", transfer_name(*backend().transfer_taken())));
+  if (draws_.name() != draw_method_name(DrawMethod::compute) && drawing().transfer_taken())
+    window.text(fmt::format("spheres to OpenGL: {}", transfer_name(*drawing().transfer_taken())));
   window.text(fmt::format("draw {} ms, to the window {} ms", format_ms(seconds_.draw), format_ms(seconds_.show)));
 }
 

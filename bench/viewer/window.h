@@ -50,8 +50,8 @@ class Window {
   virtual void legend(std::span<const uint> colours, const std::vector<std::string>& labels) = 0;
   virtual void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) = 0;
 
-  // The image for the next show(): a texture of this size for Backend::show(), or an uploaded image in the format of
-  // Backend::image().
+  // The image for the next show(): a texture of this size for Drawing::show(), or an uploaded image in the format of
+  // Drawing::image().
   virtual uint texture(uint width, uint height) = 0;
   virtual void upload(std::span<const uint> image) = 0;  // of the last texture()'s size
   // Draws a line over the image of the next show() and under the panel. Points are as in Point.

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 
+#include "common/backend/scene_holder.h"
 #include "common/scene/counted.h"
+#include "common/shared/view.h"
 
 namespace spherepair {
 

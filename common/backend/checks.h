@@ -2,7 +2,7 @@
 // Checks that refuse options which exclude each other or which a backend lacks.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/backend/collide_options.h"
 
 namespace spherepair {
 

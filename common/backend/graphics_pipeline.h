@@ -32,8 +32,8 @@ class GraphicsPipeline {
 
   // Enqueues an image. way: how the spheres are transferred; none: the driver's fastest.
   virtual void draw(DrawMethod method, const View& view, const SphereArrays& spheres, std::optional<Transfer> way) = 0;
-  virtual std::vector<uint> image() = 0;    // of the last draw, in the format of Backend::image()
-  virtual std::vector<float> depths() = 0;  // of the last draw, in the format of Backend::depths()
+  virtual std::vector<uint> image() = 0;    // of the last draw, in the format of Drawing::image()
+  virtual std::vector<float> depths() = 0;  // of the last draw, in the format of Drawing::depths()
   virtual void finish() = 0;                // waits until the images are drawn
   virtual Preparations preparations() const = 0;
 
@@ -58,7 +58,9 @@ class LazyPipeline {
   explicit LazyPipeline(PipelineOpener opener) : opener_(std::move(opener)) {}
   explicit operator bool() const { return bool(opener_.open); }
   const std::vector<Transfer>& ways() const { return opener_.ways; }
+  // Throws BackendError if there is none, or none opens.
   GraphicsPipeline& get() {
+    if (!opener_.open) throw BackendError("OpenGL's pipeline takes no other spheres here; draw without a transfer");
     if (!opened_) opened_ = opener_.open();
     return *opened_;
   }

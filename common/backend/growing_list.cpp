@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/backend/backend.h"
+#include "common/backend/scene_holder.h"
 
 namespace spherepair {
 

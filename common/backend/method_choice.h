@@ -2,8 +2,8 @@
 // Chooses the method for Method::automatic.
 #pragma once
 
-#include "common/backend/backend.h"
 #include "common/backend/crossover.h"
+#include "common/backend/search.h"
 
 namespace spherepair {
 

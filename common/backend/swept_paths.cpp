@@ -71,7 +71,7 @@ float kind_of_anchor(const MotionState& state, uint64_t i, Real y, Real v, Motio
 
 // Returns the velocities of the next drift. The state's momenta are half a step old; each gets the impulses at the
 // start of the step, as leapfrog adds them.
-std::vector<vec4> drift_velocities(const Backend::State& state, const ContactParams& c, const PairLister& list) {
+std::vector<vec4> drift_velocities(const Motion::State& state, const ContactParams& c, const PairLister& list) {
   const std::vector<vec4>& at = state.positions;
   const uint64_t n = at.size();
   Scene grown = scene_of_paths(n);
@@ -127,7 +127,7 @@ vec4 around_path(const vec4& s, const vec4& v, const MotionParams& m) {
 
 }  // namespace
 
-std::vector<vec4> path_velocities(const Backend::State& state, const MotionState& saved, MotionOptions motion,
+std::vector<vec4> path_velocities(const Motion::State& state, const MotionState& saved, MotionOptions motion,
                                   const Params& params, const PairLister& list) {
   if (motion.method == MotionMethod::leapfrog) return drift_velocities(state, params.contact, list);
   std::vector<vec4> velocities = state.velocities;

@@ -5,8 +5,8 @@
 #include <functional>
 #include <span>
 
-#include "common/backend/backend.h"
-#include "common/scene/motion_state.h"
+#include "common/backend/collide_options.h"
+#include "common/backend/motion.h"
 
 namespace spherepair {
 
@@ -16,7 +16,7 @@ using PairLister = std::function<std::vector<Pair>(const Scene&)>;
 // Returns each path's initial velocity, and in w how the path continues (PATH_*), by the motion method's own arithmetic
 // on the whole state. Only `anchored` reads `saved`. For leapfrog the velocity is the next step's: `list` finds the
 // spheres in contact, whose impulses are summed in integers; params.contact is the scene's.
-std::vector<vec4> path_velocities(const Backend::State& state, const MotionState& saved, MotionOptions motion,
+std::vector<vec4> path_velocities(const Motion::State& state, const MotionState& saved, MotionOptions motion,
                                   const Params& params, const PairLister& list);
 
 // Returns a sphere around each path. Two spheres can only touch within the next step if the spheres around their paths

@@ -56,7 +56,7 @@ class StageClock {
   std::vector<StageTime> times_;
 };
 
-class CpuBackend final : public Backend {
+class CpuBackend final : public Backend, public Drawing {
  public:
   CpuBackend(const OpenOptions& options, PipelineOpener pipeline)
       : threads_(options.threads ? options.threads : omp_get_max_threads()),
@@ -66,6 +66,7 @@ class CpuBackend final : public Backend {
         pipeline_(std::move(pipeline)) {}
 
   const BackendInfo& info() const override { return info_; }
+  Drawing* drawing() override { return this; }
   std::vector<Method> methods() const override {
     std::vector<Method> all = {Method::sequential, Method::parallel};
     for (Method method : device_methods()) all.push_back(method);
@@ -133,7 +134,6 @@ class CpuBackend final : public Backend {
   }
   std::vector<Transfer> transfers() const override { return pipeline_.ways(); }
   void transfer(Transfer way) override {
-    if (!pipeline_) return Backend::transfer(way);
     const auto& positions = motion_.positions(threads_);
     const std::vector<uint> contacts = colours({});
     pipeline_.get().transfer(arrays_of(positions, contacts), way);
@@ -177,7 +177,8 @@ class CpuBackend final : public Backend {
     return verdicts;
   }
   void launch_empty(uint) override {}  // a function call
-  void check_guards() override {}      // buffers are vectors, which the sanitizers watch
+  void enqueue_empty_step(uint, const ApiOptions&) override {}
+  void check_guards() override {}  // buffers are vectors, which the sanitizers watch
   WorkCounts work_counts() const override {
     WorkCounts work = search_.work();
     work.steps += motion_.contact_searches();

@@ -110,7 +110,7 @@ void CpuMotion::evaluate_state(int threads) {
   if (!state_current_) evaluate(threads, true);
 }
 
-Backend::State CpuMotion::state() const {
+Motion::State CpuMotion::state() const {
   if (!state_current_) throw BackendError("cpu: the state is that of an earlier step; call evaluate_state");
   if (kept_.wide.empty() || contacts_.on()) return {positions_, velocities_, kept_.wide};
   return {positions_, rounded_velocities(kept_.wide, motion_.precision, positions_.size()), kept_.wide};

@@ -36,7 +36,7 @@ class CpuMotion {
   const std::vector<vec4>& positions(int threads);
   void evaluate_state(int threads);
   const std::vector<vec4>& velocities() const { return velocities_; }  // as last evaluated
-  Backend::State state() const;  // throws BackendError if not evaluated since the last move
+  Motion::State state() const;  // throws BackendError if not evaluated since the last move
 
   MotionState save(int threads);
   // Restores a saved state. Call it after the upload of the same scene.

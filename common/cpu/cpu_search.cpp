@@ -64,7 +64,7 @@ Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>
   return options_.method;
 }
 
-void CpuSearch::run(const std::vector<vec4>& positions, const Backend::State& state, const MotionState& saved) {
+void CpuSearch::run(const std::vector<vec4>& positions, const Motion::State& state, const MotionState& saved) {
   params_.search = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_.search);
   const SearchInput input{positions, params_, equal_radii_ && !options_.load_radii, options_, threads_};

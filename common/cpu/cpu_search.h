@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "common/backend/motion.h"
 #include "common/cpu/search/cpu_grid.h"
 #include "common/plan/plan_watch.h"
 #include "common/scene/scene_params.h"
@@ -21,7 +22,7 @@ class CpuSearch {
   // Chooses the method for these positions. Plans new cells first if spheres have left the old ones.
   Method prepare(const CollideOptions& options, const std::vector<vec4>& positions);
   // Runs the prepared search. Only a swept search needs `state` and `saved`.
-  void run(const std::vector<vec4>& positions, const Backend::State& state = {}, const MotionState& saved = {});
+  void run(const std::vector<vec4>& positions, const Motion::State& state = {}, const MotionState& saved = {});
 
   // Returns the colliding pairs of these positions, in any order.
   const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,

@@ -22,7 +22,7 @@ namespace spherepair {
 
 struct Checkpoint {
   Scene scene;         // parameters and current positions and velocities
-  MotionState motion;  // Backend::save()
+  MotionState motion;  // Motion::save()
   uint64_t step = 0;   // steps done
 };
 

@@ -17,15 +17,15 @@ Vector vector_of(const std::vector<double>& values) { return {values[0], values[
 constexpr double nothing = std::numeric_limits<double>::infinity();
 
 // The distance of each pixel's sphere along forward, metres.
-std::vector<double> spheres_ahead(Backend& backend, const View& view, DrawMethod method) {
+std::vector<double> spheres_ahead(Drawing& drawing, const View& view, DrawMethod method) {
   std::vector<double> ahead(size_t(view.width) * view.height, nothing);
   if (method == DrawMethod::compute) {
-    const std::vector<uvec2> visible = backend.visible();
+    const std::vector<uvec2> visible = drawing.visible();
     for (uint k = 0; k < ahead.size(); ++k)
       if (visible[k].y != ~0u)  // a depth is the distance times the square of the ray's length
         ahead[k] = double(bits_float(visible[k].y)) / double(ray_through(k % view.width, k / view.width, view).a);
   } else {
-    const std::vector<float> depths = backend.depths();
+    const std::vector<float> depths = drawing.depths();
     for (size_t k = 0; k < ahead.size(); ++k)
       if (depths[k] > 0) ahead[k] = double(view.eye.w) / double(depths[k]);
   }
@@ -63,31 +63,31 @@ std::array<double, 2> jitter(uint k, uint samples) {
   return {(k + 0.5) / samples - 0.5, golden - std::floor(golden) - 0.5};
 }
 
-DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k) {
+DrawnImage draw_sample(Drawing& drawing, const ImageOptions& options, uint k) {
   const bool compute = options.method == DrawMethod::compute;
   View view = make_view(options.camera, options.look, options.width, options.height, jitter(k, options.samples));
   const bool on_ground = view.lighting & LIGHT_GROUND;
   std::vector<uint> ground;
   if (!compute && on_ground) {
     view.lighting |= LIGHT_ALONE;
-    backend.draw(view, {});
-    ground = backend.image();
+    drawing.draw(view, {});
+    ground = drawing.image();
   }
-  backend.draw(view, {.method = options.method, .keep_visible = compute});
-  DrawnImage drawn{backend.image(), false};
-  std::vector<double> ahead = spheres_ahead(backend, view, options.method);
+  drawing.draw(view, {.method = options.method, .keep_visible = compute});
+  DrawnImage drawn{drawing.image(), false};
+  std::vector<double> ahead = spheres_ahead(drawing, view, options.method);
   drawn.blank = std::ranges::all_of(ahead, [](double distance) { return distance == nothing; });
   if (on_ground) add_ground(drawn.pixels, ahead, ground, view);
   if (options.box) draw_edges(drawn.pixels, ahead, view, *options.box);
   return drawn;
 }
 
-DrawnImage draw_image(Backend& backend, const ImageOptions& options) {
-  if (options.samples == 1) return draw_sample(backend, options, 0);
+DrawnImage draw_image(Drawing& drawing, const ImageOptions& options) {
+  if (options.samples == 1) return draw_sample(drawing, options, 0);
   ImageSamples samples;
   bool blank = true;
   while (samples.count() < options.samples) {
-    const DrawnImage sample = draw_sample(backend, options, samples.count());
+    const DrawnImage sample = draw_sample(drawing, options, samples.count());
     blank = blank && sample.blank;
     samples.add(sample.pixels);
   }

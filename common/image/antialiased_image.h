@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "common/backend/backend.h"
+#include "common/backend/drawing.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -18,7 +18,7 @@ struct ImageOptions {
 };
 
 struct DrawnImage {
-  std::vector<uint> pixels;  // in the format of Backend::image()
+  std::vector<uint> pixels;  // in the format of Drawing::image()
   bool blank;                // no pixel shows a sphere
 };
 
@@ -36,8 +36,8 @@ std::array<double, 2> jitter(uint k, uint samples);
 
 // Draws the backend's spheres. An image through OpenGL's pipeline gets the box's edges, and from compute kernels the
 // ground with shadows on it. Occlusion and shadows on the spheres themselves exist only in compute.
-DrawnImage draw_image(Backend& backend, const ImageOptions& options);
-DrawnImage draw_sample(Backend& backend, const ImageOptions& options, uint k);  // sample k of that image
+DrawnImage draw_image(Drawing& drawing, const ImageOptions& options);
+DrawnImage draw_sample(Drawing& drawing, const ImageOptions& options, uint k);  // sample k of that image
 
 // Adds a ground. height: metres along the upward normal.
 void put_ground(Look& look, const Vector& normal, double height);

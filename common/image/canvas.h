@@ -14,7 +14,7 @@ struct Point {
   double x, y;  // pixels, from the centre of the upper left one
 };
 
-// Draws over an image in the format of Backend::image().
+// Draws over an image in the format of Drawing::image().
 class Canvas {
  public:
   Canvas(std::vector<uint>& image, uint width, uint height) : image_(image), width_(width), height_(height) {}

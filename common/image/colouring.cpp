@@ -48,9 +48,9 @@ void check_colour_range(ColourBy by, double low, double high) {
     throw std::invalid_argument(fmt::format("--color-range is {},{}, but must ascend from 0 or more", low, high));
 }
 
-std::vector<double> values_of(ColourBy by, Backend& backend, const Backend::State& state) {
+std::vector<double> values_of(ColourBy by, Search& search, const Motion::State& state) {
   std::vector<double> values(state.positions.size());
-  if (by == ColourBy::contacts) std::ranges::copy(backend.counts(), values.begin());
+  if (by == ColourBy::contacts) std::ranges::copy(search.counts(), values.begin());
   for (size_t i = 0; i < values.size(); ++i) {
     const vec4& v = state.velocities[i];
     if (by == ColourBy::radius) values[i] = double(state.positions[i].w);

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/backend/backend.h"
+#include "common/backend/motion.h"
+#include "common/backend/search.h"
 #include "common/scene/camera.h"
 
 namespace spherepair {
@@ -28,7 +29,7 @@ const char* name_of(ColourBy by);
 void check_colour_range(ColourBy by, double low, double high);
 
 // A value for each sphere: contacts of the last collide(), radius in metres, or speed in m/s.
-std::vector<double> values_of(ColourBy by, Backend& backend, const Backend::State& state);
+std::vector<double> values_of(ColourBy by, Search& search, const Motion::State& state);
 
 class Colouring {
  public:
@@ -38,7 +39,7 @@ class Colouring {
   // By species: values are indices into the names. If there are more species than colours, the rarest share one.
   Colouring(const std::vector<std::string>& names, const std::vector<double>& values);
 
-  std::vector<uint> classes(const std::vector<double>& values) const;  // for Backend::set_classes
+  std::vector<uint> classes(const std::vector<double>& values) const;  // for Drawing::set_classes
   Look look() const;
   Legend legend() const;                                     // without facts
   double highest() const { return highest_; }                // the largest value that it was made from

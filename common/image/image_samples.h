@@ -11,7 +11,7 @@ namespace spherepair {
 
 class ImageSamples {
  public:
-  void add(const std::vector<uint>& image);  // in the format of Backend::image()
+  void add(const std::vector<uint>& image);  // in the format of Drawing::image()
   uint count() const { return count_; }
   std::vector<uint> mean() const;  // rounded; the order of the samples does not matter
 

@@ -11,15 +11,15 @@
 namespace spherepair {
 namespace {
 
-std::vector<Pair> colliding_pairs(Backend& backend, std::vector<vec4> spheres, const CollideOptions& options) {
+std::vector<Pair> colliding_pairs(Search& search, std::vector<vec4> spheres, const CollideOptions& options) {
   if (spheres.size() < 2) return {};
   Scene scene{.name = "list"};
   scene.velocities.resize(spheres.size(), vec4{0, 0, 0, 0});
   scene.equal_radii = std::ranges::all_of(spheres, [&](const vec4& sphere) { return sphere.w == spheres[0].w; });
   scene.positions = std::move(spheres);
-  backend.upload(scene);
-  backend.collide(options);
-  return backend.pairs();
+  search.upload(scene);
+  search.collide(options);
+  return search.pairs();
 }
 
 Shift less(const Shift& a, const Shift& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -125,18 +125,18 @@ std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t fi
   return offsets;
 }
 
-std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem, CollideOptions options) {
+std::vector<ListedPair> list_pairs(Search& search, const ListProblem& problem, CollideOptions options) {
   check_problem(problem);
-  if (Device* device = backend.device();
+  if (Device* device = search.device();
       device && device->capabilities().makes_lists && options.method == Method::automatic)
     if (auto list = DeviceLists(*device).list(problem)) return std::move(*list);
-  return list_by_search(backend, problem, options);
+  return list_by_search(search, problem, options);
 }
 
-std::vector<ListedPair> list_by_search(Backend& backend, const ListProblem& problem, CollideOptions options) {
+std::vector<ListedPair> list_by_search(Search& search, const ListProblem& problem, CollideOptions options) {
   options.want_pairs = true;
   ListSpheres plan = list_spheres(problem);
-  const std::vector<Pair> pairs = colliding_pairs(backend, std::move(plan.spheres), options);
+  const std::vector<Pair> pairs = colliding_pairs(search, std::move(plan.spheres), options);
   const Lister lister(problem, plan);
   constexpr size_t share = 1 << 16, ahead = 16;  // pairs
   const auto shares = int64_t((pairs.size() + share - 1) / share);

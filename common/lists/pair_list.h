@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Lists of pairs, as include/spherepair/spherepair.h defines them, through a backend's search.
+// Lists of pairs, as include/spherepair/spherepair.h defines them, through a search.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/backend/search.h"
 #include "common/lists/displacement.h"
 
 namespace spherepair {
 
 // The whole list, in the order that the header defines. On a GPU's API with the automatic method a device makes it;
-// else `options` choose the search, which uploads the list's points: the backend's scene is lost. Throws ListError,
+// else `options` choose the search, which uploads the list's points: the scene that it holds is lost. Throws ListError,
 // BackendError.
-std::vector<ListedPair> list_pairs(Backend& backend, const ListProblem& problem,
+std::vector<ListedPair> list_pairs(Search& search, const ListProblem& problem,
                                    CollideOptions options = {.method = Method::automatic});
 
 // The same of a checked problem, always through a search.
-std::vector<ListedPair> list_by_search(Backend& backend, const ListProblem& problem,
+std::vector<ListedPair> list_by_search(Search& search, const ListProblem& problem,
                                        CollideOptions options = {.method = Method::automatic});
 
 // firsts + 1 offsets: the pairs of point i begin at list[offsets[i]] and end before list[offsets[i + 1]].

@@ -20,7 +20,7 @@
 #define COLOUR_BY_CONTACTS 0u  // a sphere's colour depends on the number of its contacts,
 #define COLOUR_BY_SPEED 1u     // on how many limits its speed has reached,
 #define COLOUR_BY_RADIUS 2u    // on its radius,
-#define COLOUR_BY_CLASS 3u     // or on the class that Backend::set_classes gave it
+#define COLOUR_BY_CLASS 3u     // or on the class that Drawing::set_classes gave it
 #define COLOURS 8              // size of the palette
 
 #define LIGHT_OCCLUSION 1u  // bits of View::lighting: ambient occlusion by near spheres,

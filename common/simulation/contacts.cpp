@@ -165,7 +165,7 @@ void Contacts::list_rows() {
 
 void Contacts::require_sound() {
   if (!failed_) return;
-  const Backend::State state = motion_.state();
+  const Motion::State state = motion_.state();
   throw_fault(context_.name(),
               {context_.buffers.read<uint>(SLOT_FAULT, FAULTS), steps(), bodies_of(state.wide, state.positions)},
               context_.params.contact);

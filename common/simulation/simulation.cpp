@@ -83,7 +83,7 @@ void Simulation::evaluate_state() {
   motion_.evaluate_state();
 }
 
-Backend::State Simulation::state() {
+Motion::State Simulation::state() {
   require_scene("state");
   complete_moves();
   if (!motion_.state_current())
@@ -150,14 +150,13 @@ void Simulation::enqueue_step(const CollideOptions& options) {
   search_.enqueue(options, true);
 }
 
-void Simulation::run_persistent_steps(uint steps) {
-  enqueue_persistent_steps(steps);
+void Simulation::run_steps(uint steps) {
+  enqueue_steps(steps);
   search_.complete();
 }
 
-void Simulation::enqueue_persistent_steps(uint steps) {
+void Simulation::enqueue_steps(uint steps) {
   require_scene("persistent steps");
-  if (!has_persistent_steps()) return Backend::run_persistent_steps(steps);
   motion_.leave_steps_to_search();
   search_.enqueue_steps(steps);
 }
@@ -191,15 +190,15 @@ void Simulation::enqueue_draw(const View& view, const DrawOptions& options) {
   rasterizer_.enqueue(view, options);
 }
 
-void Simulation::launch_peak_rate(PeakRate rate) {
-  require_scene("launch_peak_rate");
+void Simulation::launch(PeakRate rate) {
+  require_scene("a peak rate");
   complete_moves();
   search_.forget();
   probe_.launch_peak_rate(rate);
 }
 
-void Simulation::check_peak_rate(PeakRate rate) {
-  require_scene("check_peak_rate");
+void Simulation::check(PeakRate rate) {
+  require_scene("a peak rate");
   search_.forget();
   probe_.check_peak_rate(rate);
 }
@@ -232,7 +231,6 @@ std::optional<Transfer> Simulation::transfer_taken() const {
 }
 
 void Simulation::transfer(Transfer way) {
-  if (!context_.other_pipeline) return Backend::transfer(way);
   require_scene("transfer");
   complete_moves();
   evaluate();

@@ -2,6 +2,7 @@
 // The backend of a GPU API: a device and the components that launch its kernels.
 #pragma once
 
+#include "common/backend/backend.h"
 #include "common/simulation/contacts.h"
 #include "common/simulation/probe.h"
 #include "common/simulation/rasterizer.h"
@@ -9,7 +10,11 @@
 
 namespace spherepair {
 
-class Simulation final : public Backend {
+class Simulation final : public Backend,
+                         public Drawing,
+                         public DevicePositions,
+                         public PersistentSteps,
+                         public PeakRateKernels {
  public:
   // open: opens OpenGL's pipeline, for a device without its own; none: only DrawMethod::compute draws.
   explicit Simulation(std::unique_ptr<Device> device, PipelineOpener open = {});
@@ -18,8 +23,11 @@ class Simulation final : public Backend {
   Device* device() override { return device_.get(); }
   void enter_thread() override { device_->enter_thread(); }
   void leave_thread() noexcept override { device_->leave_thread(); }
+  Drawing* drawing() override { return this; }
+  DevicePositions* device_positions() override { return this; }
+  PersistentSteps* persistent_steps() override { return device_->capabilities().persistent_groups ? this : nullptr; }
+  PeakRateKernels* peak_rates() override { return this; }
   std::vector<Method> methods() const override;
-  std::vector<DrawMethod> draw_methods() const override;
 
   void upload(const Scene& scene) override { begin(scene, nullptr); }
   void resume(const Scene& scene, const MotionState& saved) override { begin(scene, &saved); }
@@ -39,15 +47,15 @@ class Simulation final : public Backend {
   void enqueue_collide(const CollideOptions& options) override;
   void step(const CollideOptions& options) override;
   void enqueue_step(const CollideOptions& options) override;
-  bool has_persistent_steps() const override { return device_->capabilities().persistent_groups != 0; }
-  void run_persistent_steps(uint steps) override;
-  void enqueue_persistent_steps(uint steps) override;
+  void run_steps(uint steps) override;
+  void enqueue_steps(uint steps) override;
   Collisions collisions() override { return search_.totals(); }
   std::vector<uint> counts() override { return search_.counts(); }
   std::vector<Pair> pairs() override { return search_.pairs(); }
 
   void draw(const View& view, const DrawOptions& options) override;
   void enqueue_draw(const View& view, const DrawOptions& options) override;
+  std::vector<DrawMethod> draw_methods() const override;
   std::vector<Transfer> transfers() const override;
   std::optional<Transfer> transfer_taken() const override;
   void transfer(Transfer way) override;
@@ -61,8 +69,8 @@ class Simulation final : public Backend {
   std::vector<uint> decide(std::span<const vec4> spheres) override { return probe_.decide(spheres); }
   void launch_empty(uint groups) override { probe_.launch_empty(groups); }
   void enqueue_empty_step(uint launches, const ApiOptions& api) override { probe_.enqueue_empty_step(launches, api); }
-  void launch_peak_rate(PeakRate rate) override;
-  void check_peak_rate(PeakRate rate) override;
+  void launch(PeakRate rate) override;
+  void check(PeakRate rate) override;
 
   void finish() override;
   void check_guards() override { context_.buffers.check_guards(), contacts_.check_guards(), swept_.check_guards(); }

@@ -19,7 +19,7 @@ void SweptSearch::list_of(const Scene& grown, const CollideOptions& options) {
 void SweptSearch::list_paths(const CollideOptions& options) {
   motion_.require_movable();
   motion_.evaluate_state();
-  const Backend::State state = motion_.state();
+  const Motion::State state = motion_.state();
   const MotionOptions motion = motion_.options();
   const MotionState saved = motion.method == MotionMethod::anchored ? motion_.save() : MotionState{};
   const std::vector<vec4> velocities = path_velocities(state, saved, motion, context_.params, [&](const Scene& grown) {

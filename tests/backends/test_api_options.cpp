@@ -54,10 +54,8 @@ TEST_P(ApiOptionsOf, AStepIsAMoveAndASearchTogether) {
 TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
   const Scene scene = make_scene({.name = "random", .n = 3000});
   backend().upload(scene);
-  if (!backend().has_persistent_steps()) {
-    EXPECT_THROW(backend().run_persistent_steps(1), BackendError);
-    GTEST_SKIP() << "no persistent kernel in " << backend().info().name;
-  }
+  PersistentSteps* const persistent = backend().persistent_steps();
+  if (!persistent) GTEST_SKIP() << "no persistent kernel in " << backend().info().name;
   for (const bool equal_radii : {true, false}) {
     Scene chosen = scene;
     chosen.equal_radii = equal_radii;
@@ -68,10 +66,10 @@ TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
     const uint64_t state = hash_of_state(backend());
     backend().upload(chosen);
     const uint64_t launches = backend().work_counts().launches;
-    backend().enqueue_persistent_steps(1);
-    backend().enqueue_persistent_steps(30);
+    persistent->enqueue_steps(1);
+    persistent->enqueue_steps(30);
     EXPECT_EQ(backend().work_counts().launches, launches + 2);
-    backend().run_persistent_steps(10);
+    persistent->run_steps(10);
     EXPECT_TRUE(same_result(result_of(backend(), false), expected));
     EXPECT_EQ(hash_of_state(backend()), state);
     backend().check_guards();
@@ -79,7 +77,7 @@ TEST_P(ApiOptionsOf, ThePersistentKernelTakesTheStepsThatLaunchesTake) {
   SceneOptions anchored = {.name = "random", .n = 100};
   anchored.motion.method = MotionMethod::anchored;
   backend().upload(make_scene(anchored));
-  EXPECT_THROW(backend().run_persistent_steps(1), std::invalid_argument);
+  EXPECT_THROW(persistent->run_steps(1), std::invalid_argument);
 }
 
 // The buckets' counts are left at 0 by the step before, whatever that was.

@@ -24,7 +24,7 @@ TEST_P(Contacts, SameBitsAsOnTheCpu) {
     for (const float ratio : {1.0f, 8.0f}) {
       Scene scene = gas({.ratio = ratio, .gravity = -9.81f, .law = law});
       scene.restitution = law == ContactLaw::spring && ratio > 1 ? 0.7f : 1.0f;
-      const Backend::State start = run_steps(cpu_backend(), scene, 0), wanted = run_steps(cpu_backend(), scene, 400);
+      const Motion::State start = run_steps(cpu_backend(), scene, 0), wanted = run_steps(cpu_backend(), scene, 400);
       ASSERT_GT(cpu_backend().state().wide, std::vector<uint>{});
       ASSERT_NE(start.wide, wanted.wide);
       for (const bool tests_all_walls : {false, true}) {
@@ -95,7 +95,7 @@ TEST_P(Contacts, NearPairsAreListedSeldom) {
 TEST_P(Contacts, UndisturbedBySearches) {
   const Scene scene = gas({.side = 5});
   const int steps = by_form(backend(), 120, 45);
-  const Backend::State wanted = run_steps(cpu_backend(), scene, uint64_t(steps));
+  const Motion::State wanted = run_steps(cpu_backend(), scene, uint64_t(steps));
   constexpr uint ENDS[] = {32, 1024};
   for (CollideOptions options : every_method(backend(), full_stress() ? block_sizes() : ENDS)) {
     for (const bool listed : {true, false}) {
@@ -165,7 +165,7 @@ TEST_P(Contacts, MomentumIsConservedToTheLastUnit) {
 
 TEST_P(Contacts, SavedAndResumedHereAndOnTheCpu) {
   const Scene scene = gas({.ratio = 2, .gravity = -9.81f, .law = ContactLaw::hertz});
-  const Backend::State wanted = run_steps(cpu_backend(), scene, 300), middle = run_steps(backend(), scene, 150);
+  const Motion::State wanted = run_steps(cpu_backend(), scene, 300), middle = run_steps(backend(), scene, 150);
   const MotionState saved = backend().save();
   for (Backend* other : {&backend(), &cpu_backend()}) {
     other->resume(with(scene, middle), saved);

@@ -28,8 +28,8 @@ class Draw : public BackendTest {
   }
 
   DrawStatistics counts_of(const View& view) {
-    backend().draw(view, {.count = true});
-    return backend().draw_statistics();
+    drawing().draw(view, {.count = true});
+    return drawing().draw_statistics();
   }
 };
 
@@ -148,7 +148,7 @@ TEST_P(Draw, ColoursFollowTheSteps) {
 }
 
 // How many limits each sphere's value has reached.
-std::vector<uint> entries_of(const Backend::State& state, const Look& look) {
+std::vector<uint> entries_of(const Motion::State& state, const Look& look) {
   std::vector<uint> entries;
   for (size_t i = 0; i < state.positions.size(); ++i) {
     const vec4& v = state.velocities[i];
@@ -171,7 +171,7 @@ TEST_P(Draw, ColoursShowSpeedOrRadius) {
       for (const Look& look : {range_look(COLOUR_BY_SPEED, 0, 3), range_look(COLOUR_BY_RADIUS, least, 4 * least)}) {
         const View view = make_view(framed(scene), look, width, height);
         const Image given = image_of(backend(), view);
-        const Backend::State state = current_state(backend());
+        const Motion::State state = current_state(backend());
         const std::vector<uint> entries = entries_of(state, look);
         EXPECT_EQ(std::set<uint>(entries.begin(), entries.end()).size(), size_t(COLOURS));
         EXPECT_EQ(first_mismatch(given, brute_force_image(state.positions, entries, view), view), "")
@@ -183,8 +183,8 @@ TEST_P(Draw, ColoursShowSpeedOrRadius) {
 
 TEST_P(Draw, RefusesWhatIsNoView) {
   backend().upload(make_scene({.n = 10}));
-  EXPECT_THROW(backend().image(), BackendError);
-  EXPECT_THROW(backend().draw(View{}, {}), std::invalid_argument);
+  EXPECT_THROW(drawing().image(), BackendError);
+  EXPECT_THROW(drawing().draw(View{}, {}), std::invalid_argument);
   EXPECT_THROW(view_of({{1, 2, 3}, {1, 2, 3}}), std::invalid_argument);
   EXPECT_THROW(view_of({{0, 5, 0}, {0, 0, 0}}), std::invalid_argument);
 }

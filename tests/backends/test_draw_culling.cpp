@@ -153,7 +153,7 @@ TEST_P(DrawCulling, ThroughAHole) {
     for (const auto& [view, expected] : images)
       EXPECT_EQ(first_mismatch(image_of(backend(), view, all_culling()[ablation]), expected, view), "")
           << "skip " << ablation << ", from " << view.eye.x;
-    const DrawStatistics counts = backend().draw_statistics();
+    const DrawStatistics counts = drawing().draw_statistics();
     EXPECT_GT(counts.clusters_hidden, 10u) << "skip " << ablation;
     EXPECT_EQ(counts.bundles_left_out > 2, ablation > 3) << "skip " << ablation;
     EXPECT_EQ(counts.clusters_deferred > 10, ablation == 4)
@@ -173,7 +173,7 @@ TEST_P(DrawCulling, OverManyImages) {
       const Camera camera = frame(bounds_of(scene.positions), azimuth, 10, 40, double(width) / height);
       const View view = make_view(camera, contact_look(), width, height);
       const Image given = image_of(backend(), view, all_culling()[ablation]);
-      hidden += backend().draw_statistics().hidden;
+      hidden += drawing().draw_statistics().hidden;
       EXPECT_EQ(first_mismatch(given, image_of(backend(), view, everything), view), "")
           << image << ", skip " << ablation;
     }
@@ -187,25 +187,25 @@ TEST_P(DrawCulling, AreCounted) {
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
   const DrawOptions outside = all_culling()[outside_only], hidden = all_culling()[hidden_only];
-  backend().draw(view_of(scene, 4), outside);
-  DrawStatistics counts = backend().draw_statistics();
+  drawing().draw(view_of(scene, 4), outside);
+  DrawStatistics counts = drawing().draw_statistics();
   EXPECT_EQ(counts.clusters, (scene.size() + CLUSTER - 1) / CLUSTER);
   EXPECT_GT(counts.clusters_outside, counts.clusters / 4);
   EXPECT_EQ(counts.clusters_hidden, 0u);
   // Clusters are rows along x: a view along z sees no ends of rows. The second image still draws all.
   const Camera front = frame(bounds_of(scene.positions), 0, 0, 40, double(width) / height);
-  for (int time = 0; time < 3; ++time) backend().draw(make_view(front, contact_look(), width, height), hidden);
-  counts = backend().draw_statistics();
+  for (int time = 0; time < 3; ++time) drawing().draw(make_view(front, contact_look(), width, height), hidden);
+  counts = drawing().draw_statistics();
   EXPECT_GT(counts.clusters_hidden, counts.clusters / 4);
   EXPECT_LT(counts.drawn + counts.unseen, scene.size() * 3 / 4);
   EXPECT_EQ(counts.clusters_deferred, 0u);
-  backend().draw(make_view(front, contact_look(), width, height), all_culling()[deferring]);
-  const DrawStatistics after = backend().draw_statistics();
+  drawing().draw(make_view(front, contact_look(), width, height), all_culling()[deferring]);
+  const DrawStatistics after = drawing().draw_statistics();
   EXPECT_GT(after.clusters_deferred, 0u);
   EXPECT_GT(after.clusters_hidden, counts.clusters / 4) << "the deferred clusters are hidden in the end";
   EXPECT_EQ(after.bundles_left_out, 0u);
-  backend().draw(make_view(front, contact_look(), width, height), all_culling()[bundled]);
-  const DrawStatistics in_bundles = backend().draw_statistics();
+  drawing().draw(make_view(front, contact_look(), width, height), all_culling()[bundled]);
+  const DrawStatistics in_bundles = drawing().draw_statistics();
   EXPECT_GT(in_bundles.bundles_left_out, counts.clusters / BUNDLE / 8);
   EXPECT_GT(in_bundles.clusters_hidden, counts.clusters / 4);
 }
@@ -215,8 +215,8 @@ TEST_P(DrawCulling, AnUnchangedImageIsKept) {
   const View view = view_of(scene, 0);
   backend().upload(scene);
   const auto kept_after = [&](const View& at) {
-    backend().draw(at, {.count = true});
-    return backend().draw_statistics().images_kept;
+    drawing().draw(at, {.count = true});
+    return drawing().draw_statistics().images_kept;
   };
   EXPECT_EQ(kept_after(view), 0u);
   EXPECT_EQ(kept_after(view), 1u);

@@ -97,7 +97,7 @@ TEST_P(DrawLight, IsTheSameAfterAPause) {
   for (int step = 0; step < 250; ++step) backend().move();
   const Image expected = image();
   const MotionState saved = backend().save();
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   scene.positions = state.positions, scene.velocities = state.velocities;
   EXPECT_NE(plan_grid(scene, Cells::dense).side, before.side) << "the cells are the same: this shows nothing";
   backend().resume(scene, saved);

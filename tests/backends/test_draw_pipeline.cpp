@@ -20,8 +20,8 @@ class DrawPipeline : public BackendTest {
     if (const std::string why = why_no_pipeline(backend()); !why.empty()) GTEST_SKIP() << why;
   }
   std::vector<uint> image(DrawMethod method, const View& view) {
-    backend().draw(view, {.method = method});
-    return backend().image();
+    drawing().draw(view, {.method = method});
+    return drawing().image();
   }
   void show(const Scene& scene) {
     backend().upload(scene);

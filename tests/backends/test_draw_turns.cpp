@@ -47,7 +47,7 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
   for (int turn = 0; turn < by_form(backend(), 120, 60); ++turn) {
     if (turn % 40 == 20) {  // another scene, then this one: nothing of the last image is listed
       backend().upload(make_scene({.name = "uniform", .n = 50}));
-      backend().draw(all[0].view, {.clusters_from = 0});
+      drawing().draw(all[0].view, {.clusters_from = 0});
       backend().upload(scene);
       backend().collide(dense);
     }
@@ -59,15 +59,15 @@ TEST_P(DrawTurns, LeaveNothingToTheNext) {
     options.cull_from = random() % 3 ? 0 : ~uint64_t(0);
     options.defer_from = random() % 2 ? 0 : ~uint64_t(0);
     options.keep_visible = random() % 4 == 0;
-    backend().draw(shot.view, options);
-    Image given{backend().image(), shot.expected.visible};
+    drawing().draw(shot.view, options);
+    Image given{drawing().image(), shot.expected.visible};
     if (options.count) {
-      const DrawStatistics counts = backend().draw_statistics();
+      const DrawStatistics counts = drawing().draw_statistics();
       EXPECT_GT(counts.drawn + counts.unseen, 0u) << turn;
       EXPECT_LE(counts.drawn + counts.unseen + counts.hidden, 2 * scene.size())
           << turn;  // seen, and then with a cluster
     }
-    if (options.keep_visible) given.visible = backend().visible();
+    if (options.keep_visible) given.visible = drawing().visible();
     ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();
@@ -83,7 +83,7 @@ TEST_P(DrawTurns, ListNothingOfAnotherScene) {
   image_of(backend(), view_of(large, 300));  // requests the sphere indices, which stay
   backend().upload(small);
   for (const uint width : {60u, 300u, 300u})
-    backend().draw(view_of(small, width), {.reuse_unchanged = false, .clusters_from = 0});
+    drawing().draw(view_of(small, width), {.reuse_unchanged = false, .clusters_from = 0});
   backend().check_guards();
   const View view = view_of(small, 300);
   const Image given = image_of(backend(), view, {.clusters_from = 0});
@@ -108,11 +108,11 @@ TEST_P(DrawTurns, MayOverlap) {
     const Shot& shot = all[random() % all.size()];
     const bool overlap = random() % 8 > 0;
     for (uint before = random() % 20; before-- > 0;)
-      backend().enqueue_draw(all[random() % all.size()].view, {.reuse_unchanged = false, .overlap = overlap});
+      drawing().enqueue_draw(all[random() % all.size()].view, {.reuse_unchanged = false, .overlap = overlap});
     const bool keep = random() % 4 == 0;
-    backend().draw(shot.view, {.reuse_unchanged = false, .keep_visible = keep});
-    Image given{backend().image(), shot.expected.visible};
-    if (keep) given.visible = backend().visible();
+    drawing().draw(shot.view, {.reuse_unchanged = false, .keep_visible = keep});
+    Image given{drawing().image(), shot.expected.visible};
+    if (keep) given.visible = drawing().visible();
     ASSERT_EQ(first_mismatch(given, shot.expected, shot.view), "") << turn;
   }
   backend().check_guards();
@@ -128,7 +128,7 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   const auto number = [&](double low, double high) { return low + (high - low) * double(random()) / 2147483646.0; };
   const auto launches_of = [&](const View& view, bool ablation) {
     const uint64_t before = backend().work_counts().launches;
-    backend().draw(view, {.reuse_unchanged = false, .skip_tile_launches = ablation, .share_below = 0, .count = true});
+    drawing().draw(view, {.reuse_unchanged = false, .skip_tile_launches = ablation, .share_below = 0, .count = true});
     return backend().work_counts().launches - before;
   };
   launches_of(make_view({}, contact_look(), 203, 117), false);  // the first makes the pixels clear
@@ -141,7 +141,7 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
     camera.field = number(30, 110);
     const View view = make_view(camera, contact_look(), 203, 117);
     const uint64_t all = launches_of(view, false);
-    const DrawStatistics counts = backend().draw_statistics();
+    const DrawStatistics counts = drawing().draw_statistics();
     const bool skipped = launches_of(view, true) < all;
     EXPECT_FALSE(skipped && counts.large > 0) << k;
     left_out += skipped;

@@ -111,12 +111,12 @@ TEST_P(MotionOf, Row24_ThePapersMethodSinks) {
   Scene scene = scene_of({{0, 0, 0, 0.5f}, {3, -4.5f, 0, 0.5f}, {6, 5, 1, 0.25f}});
   scene.restitution = 0.5f;
   backend().upload(scene);
-  Backend::State wanted = {scene.positions, scene.velocities, {}};
+  Motion::State wanted = {scene.positions, scene.velocities, {}};
   for (int step = 0; step < 64'000; ++step) {
     backend().move();
     step_all(scene, wanted);
   }
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   const double depth = -4.5 - double(state.positions[0].y);
   note_figure(fmt::format("{:.1f} m below at e = 0.5", depth), "76.6 m, 1 %: it belongs to the method");
   EXPECT_NEAR(depth, sunk_after_1000_s, 0.01 * sunk_after_1000_s);
@@ -134,7 +134,7 @@ TEST_P(MotionOf, SameBitsForAnyTimeStep) {
       for (int step = 0; step < 500; ++step) any.move();
       return current_state(any);
     };
-    const Backend::State wanted = run(*open_backend("cpu")), state = run(backend());
+    const Motion::State wanted = run(*open_backend("cpu")), state = run(backend());
     EXPECT_EQ(state_hash(state.positions, state.velocities), state_hash(wanted.positions, wanted.velocities))
         << "dt = " << dt;
   }
@@ -144,14 +144,14 @@ TEST_P(MotionOf, SameBitsForAnyTimeStep) {
 TEST_P(MotionOf, UndisturbedByCollisionSteps) {
   const Scene scene = make_scene({.name = "random", .n = 500});
   backend().upload(scene);
-  Backend::State wanted = {scene.positions, scene.velocities, {}};
+  Motion::State wanted = {scene.positions, scene.velocities, {}};
   for (int step = 0; step < 100; ++step) {
     backend().move();
     step_all(scene, wanted);
     if (step % 10 == 0) run_step(backend(), {.method = fast_method(backend()).method, .want_pairs = step % 20 == 0});
     if (step % 25 == 0) current_state(backend());
   }
-  const Backend::State state = current_state(backend());
+  const Motion::State state = current_state(backend());
   EXPECT_EQ(state_hash(state.positions, state.velocities), state_hash(wanted.positions, wanted.velocities));
 }
 

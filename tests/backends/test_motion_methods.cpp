@@ -136,7 +136,7 @@ TEST_P(MotionMethods, LookingAtSpheresThatAreNotDueChangesNothing) {
       Scene scene = make_scene({.name = "random", .n = 700, .motion = motion, .restitution = 0.5f});
       scene.gravity = gravity;
       std::array<MotionState, 2> kept;
-      std::array<Backend::State, 2> states;
+      std::array<Motion::State, 2> states;
       for (const bool event_driven : {false, true}) {
         backend().upload(scene);
         backend().set_event_driven(event_driven);

@@ -37,7 +37,7 @@ TEST_P(StressCatalogue, Row29_EveryMethodEqualsTheCpu) {
   }
 }
 
-Scene with_state(Scene scene, const Backend::State& state) {
+Scene with_state(Scene scene, const Motion::State& state) {
   scene.positions = state.positions;
   scene.velocities = state.velocities;
   return scene;
@@ -47,8 +47,8 @@ Scene with_state(Scene scene, const Backend::State& state) {
 TEST_P(StressCatalogue, Row30_SavedAndResumed) {
   for (const MotionOptions& motion : all_motions()) {
     const Scene scene = bouncing_scene({.motion = motion, .restitution = 0.9f, .n = 200});
-    const Backend::State wanted = run_steps(cpu_backend(), scene, 1000);
-    const Backend::State middle = run_steps(backend(), scene, 500);
+    const Motion::State wanted = run_steps(cpu_backend(), scene, 1000);
+    const Motion::State middle = run_steps(backend(), scene, 500);
     const MotionState saved = backend().save();
     run_steps(backend(), bouncing_scene({.motion = {MotionMethod::anchored, Precision::compensated}, .n = 77}), 5);
     for (Backend* other : {&backend(), &cpu_backend()}) {

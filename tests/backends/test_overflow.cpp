@@ -68,11 +68,11 @@ TEST_P(Overflow, MotionIsNotRepeated) {
   options.want_pairs = true;
   const StepResult answer = run_step(backend(), options);
   EXPECT_EQ(first_mismatch(answer, swept_pairs(current_state(backend()).positions), scene.size()), "");
-  const Backend::State grown = current_state(backend());
+  const Motion::State grown = current_state(backend());
   backend().upload(scene);
   backend().move();
   backend().move();
-  const Backend::State plain = current_state(backend());
+  const Motion::State plain = current_state(backend());
   EXPECT_EQ(state_hash(grown.positions, grown.velocities), state_hash(plain.positions, plain.velocities));
 }
 

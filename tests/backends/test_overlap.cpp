@@ -234,7 +234,7 @@ TEST_P(StepGraphs, AGraphIsReplayedWhileTheCameraMoves) {
     if (k >= 3) {
       EXPECT_EQ(backend().work_counts().graphs_replayed, replayed + 1) << k;
     }
-    backend().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
+    drawing().draw(make_view(frame(bounds_of(scene.positions), 10 * k, 20, 40, 1), contact_look(), 64, 64), {});
   }
 }
 

@@ -2,6 +2,7 @@
 // The kernels that measure what a device can do at best do what they say, at any number of spheres.
 #include <algorithm>
 
+#include "bench/measure/floors.h"
 #include "tests/support/backends.h"
 
 namespace spherepair {
@@ -13,16 +14,15 @@ class PeakRates : public BackendTest {};
 INSTANTIATE_BACKENDS(PeakRates);
 
 TEST_P(PeakRates, AreRightAndStayWithinTheirBuffers) {
-  const bool cpu = backend().info().on_host;
+  PeakRateKernels* const kernels = backend().peak_rates();
+  ASSERT_EQ(kernels == nullptr, backend().info().on_host);
+  if (!kernels) {
+    EXPECT_THROW(peak_rates_of(backend()), BackendError);
+    return;
+  }
   for (uint64_t n : {1, 127, 4097}) {
     backend().upload(make_scene({.name = "uniform", .n = n}));
-    for (PeakRate peak : peak_rates) {
-      if (cpu) {
-        EXPECT_THROW(backend().check_peak_rate(peak), BackendError);
-      } else {
-        EXPECT_NO_THROW(backend().check_peak_rate(peak)) << n << " spheres";
-      }
-    }
+    for (PeakRate peak : peak_rates) EXPECT_NO_THROW(kernels->check(peak)) << n << " spheres";
     backend().check_guards();
   }
 }
@@ -32,7 +32,7 @@ TEST_P(PeakRates, LeaveNothingForTheNextScene) {
   const Scene scene = make_scene({.name = "random", .n = 1000});
   backend().upload(scene);
   const StepResult before = run_step(backend(), fast_method(backend()));
-  for (PeakRate peak : peak_rates) backend().launch_peak_rate(peak);
+  for (PeakRate peak : peak_rates) backend().peak_rates()->launch(peak);
   backend().upload(scene);
   const StepResult after = run_step(backend(), fast_method(backend()));
   EXPECT_EQ(before.counts, after.counts);

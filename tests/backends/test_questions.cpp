@@ -34,14 +34,14 @@ TEST_P(Questions, LaunchNothing) {
     backend().move();
     backend().evaluate_state();
     backend().collide({.method = method, .want_pairs = true});
-    backend().draw(view_of(scene), {.count = true, .keep_visible = true});
+    drawing().draw(view_of(scene), {.count = true, .keep_visible = true});
     const WorkCounts before = backend().work_counts();
     for (int time = 0; time < 2; ++time) {
       EXPECT_EQ(backend().collisions().pairs, backend().pairs().size());
       EXPECT_EQ(backend().counts().size(), scene.size());
       EXPECT_EQ(backend().state().positions.size(), scene.size());
-      EXPECT_EQ(backend().image().size(), backend().visible().size());
-      EXPECT_GT(backend().draw_statistics().drawn, 0u);
+      EXPECT_EQ(drawing().image().size(), drawing().visible().size());
+      EXPECT_GT(drawing().draw_statistics().drawn, 0u);
     }
     EXPECT_EQ(backend().work_counts().launches, before.launches) << method_name(method);
     EXPECT_EQ(backend().work_counts().steps, before.steps) << method_name(method);
@@ -57,12 +57,12 @@ TEST_P(Questions, AreRefusedWhereTheStepWasOnlyEnqueued) {
   expect_refused([&] { backend().collisions(); }, "call collide");
   expect_refused([&] { backend().counts(); }, "call collide");
   expect_refused([&] { backend().pairs(); }, "call collide");
-  expect_refused([&] { backend().draw(view_of(scene), {}); }, "call collide");
-  backend().enqueue_draw(view_of(scene), {});
-  expect_refused([&] { backend().image(); }, "call draw");
+  expect_refused([&] { drawing().draw(view_of(scene), {}); }, "call collide");
+  drawing().enqueue_draw(view_of(scene), {});
+  expect_refused([&] { drawing().image(); }, "call draw");
   backend().collide({.method = Method::collide_grid, .want_pairs = true});
-  backend().draw(view_of(scene), {});
-  EXPECT_EQ(complaint([&] { backend().image(), backend().pairs(); }), "");
+  drawing().draw(view_of(scene), {});
+  EXPECT_EQ(complaint([&] { drawing().image(), backend().pairs(); }), "");
 }
 
 TEST_P(Questions, AreRefusedAboutWhatWasNotKept) {
@@ -75,9 +75,9 @@ TEST_P(Questions, AreRefusedAboutWhatWasNotKept) {
   expect_refused([&] { backend().collisions(); }, "call collide");
   backend().collide({.method = Method::collide_grid});
   expect_refused([&] { backend().pairs(); }, "want_pairs");
-  backend().draw(view_of(scene), {});
-  expect_refused([&] { backend().visible(); }, "keep_visible");
-  expect_refused([&] { backend().draw_statistics(); }, "set count");
+  drawing().draw(view_of(scene), {});
+  expect_refused([&] { drawing().visible(); }, "keep_visible");
+  expect_refused([&] { drawing().draw_statistics(); }, "set count");
 }
 
 INSTANTIATE_BACKENDS(Questions);

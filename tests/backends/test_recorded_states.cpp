@@ -32,7 +32,7 @@ Hashes hashes_of(Backend& backend) {
   for (int step = 1; step <= by_form(backend, STEPS, STEPS / 10); ++step) {
     backend.move();
     if (step % EVERY != 0) continue;
-    const Backend::State state = current_state(backend);
+    const Motion::State state = current_state(backend);
     hashes.push_back(fmt::format("{:016x}", state_hash(state.positions, state.velocities)));
   }
   return hashes;

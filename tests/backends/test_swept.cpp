@@ -102,7 +102,7 @@ class Swept : public KernelTest {
   std::vector<Pair> expect_all_pairs_tested(const Scene& scene, const CollideOptions& options = swept_options()) {
     const std::vector<Pair> found = run_step(backend(), options).pairs.value();
     backend().evaluate_state();
-    const Backend::State state = backend().state();
+    const Motion::State state = backend().state();
     Params params{};
     params.motion = motion_params(scene);
     params.contact = contact_params(scene);

@@ -18,7 +18,7 @@ namespace {
 
 Checkpoint sample(MotionOptions motion, uint64_t n = 3) {
   const Scene scene = bouncing_scene({.motion = motion, .dt = 0.125f, .restitution = 0.5f, .n = n});
-  const Backend::State state = run_steps(cpu_backend(), scene, 20);
+  const Motion::State state = run_steps(cpu_backend(), scene, 20);
   Checkpoint checkpoint{scene, cpu_backend().save(), 20};
   checkpoint.scene.positions = state.positions;
   checkpoint.scene.velocities = state.velocities;
@@ -45,7 +45,7 @@ TEST(Checkpoint, HoldsEverything) {
       EXPECT_EQ(read.motion.flights, written.motion.flights);
       EXPECT_EQ(read.motion.since, written.motion.since);
       EXPECT_EQ(read.motion.next_event, written.motion.next_event);
-      const Backend::State a = {read.scene.positions, read.scene.velocities, read.motion.wide};
+      const Motion::State a = {read.scene.positions, read.scene.velocities, read.motion.wide};
       expect_equal_states(a, {written.scene.positions, written.scene.velocities, written.motion.wide},
                           motion_label(motion));
     }
@@ -54,7 +54,7 @@ TEST(Checkpoint, HoldsEverything) {
 Checkpoint sample_with_contacts(uint64_t steps = 20, float drag = 0.25f) {
   Scene scene = make_scene({.name = "bed", .n = 27, .radius_ratio = 3, .restitution = 0.5f});
   choose_contacts(scene, {.law = ContactLaw::spring, .drag = drag, .walls = true});
-  const Backend::State state = run_steps(cpu_backend(), scene, steps);
+  const Motion::State state = run_steps(cpu_backend(), scene, steps);
   Checkpoint checkpoint{scene, cpu_backend().save(), steps};
   checkpoint.scene.positions = state.positions;
   checkpoint.scene.velocities = state.velocities;

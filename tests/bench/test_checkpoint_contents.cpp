@@ -20,7 +20,7 @@ constexpr uint64_t N = 60;
 // Some spheres have bounced by then, others not.
 Checkpoint saved_run(MotionOptions motion) {
   Scene scene = awkward_scene({.motion = motion, .dt = 0.125f, .restitution = 0.5f, .n = N});
-  const Backend::State state = run_steps(cpu_backend(), scene, 7);
+  const Motion::State state = run_steps(cpu_backend(), scene, 7);
   Checkpoint checkpoint{scene, cpu_backend().save(), 7};
   checkpoint.scene.positions = state.positions;
   checkpoint.scene.velocities = state.velocities;
@@ -50,7 +50,7 @@ TEST_F(CheckpointContents, WhatRunsSaveIsRead) {
     for (const int steps : {0, 1, 30}) {
       const Scene scene = awkward_scene({.motion = motion, .dt = 0.7f, .restitution = 0.96f, .n = 2000});
       for (Backend* backend : open_backends()) {
-        const Backend::State state = run_steps(*backend, scene, uint64_t(steps));
+        const Motion::State state = run_steps(*backend, scene, uint64_t(steps));
         Checkpoint checkpoint{scene, backend->save(), uint64_t(steps)};
         checkpoint.scene.positions = state.positions;
         checkpoint.scene.velocities = state.velocities;

@@ -29,7 +29,7 @@ Scene falling_scene(MotionOptions motion, uint64_t n = 300) {
 }
 
 struct Look {
-  Backend::State state;
+  Motion::State state;
   MotionState kept;
   StepResult answer;
 };
@@ -61,7 +61,7 @@ TEST_P(ResumeOf, EveryMotionGoesOnToTheSameBitsOnEveryBackend) {
     const Look wanted = look_at(cpu_backend());
     EXPECT_GT(wanted.answer.totals.pairs, 10u);
     for (const uint64_t stop : {uint64_t(0), BEFORE_A_BOUNCE, AFTER_SOME}) {
-      const Backend::State middle = run_steps(backend(), scene, stop);
+      const Motion::State middle = run_steps(backend(), scene, stop);
       Checkpoint written{scene, backend().save(), stop};
       written.scene.positions = middle.positions;
       written.scene.velocities = middle.velocities;

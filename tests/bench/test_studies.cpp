@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spherepair crossover and spherepair ablate as a user runs them: their records and what they refuse; and samples of
-// the timing core.
+// spherepair crossover and spherepair ablate as a user runs them: their records and what they refuse.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -11,7 +10,6 @@
 
 #include "api/open.h"
 #include "bench/io/report.h"
-#include "bench/measure/timing.h"
 #include "bench/studies/frames_study.h"
 #include "tests/support/forwarding_backend.h"
 #include "tests/support/sphere_files.h"
@@ -106,14 +104,15 @@ TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
 }
 
 // OpenGL by any name, with its buffers.
-class WithBuffers : public ForwardingBackend {
+class WithBuffers : public ForwardingBackend, public DevicePositions {
  public:
   WithBuffers(const std::string& name, std::unique_ptr<Backend> real) : ForwardingBackend(name, std::move(real)) {
     info_.software = false;  // else CUDA has no crossover
   }
   Device* device() override { return forwarded().device(); }
-  const Memory& positions() override { return forwarded().positions(); }
-  void positions_changed() override { ++changes, forwarded().positions_changed(); }
+  DevicePositions* device_positions() override { return this; }
+  const Memory& positions() override { return forwarded().device_positions()->positions(); }
+  void positions_changed() override { ++changes, forwarded().device_positions()->positions_changed(); }
   int changes = 0;
 };
 
@@ -137,6 +136,22 @@ TEST_F(Studies, FramesTimesExchangesOfVulkanAndCuda) {
   const std::string text = study.text_of(64, kTextWidth);
   for (const char* word : {"from", "left out: vulkan to cuda, imported: interop: "})
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
+}
+
+class Blind : public ForwardingBackend {
+ public:
+  Blind() : ForwardingBackend("cpu", open_backend("cpu", {})) {}
+  Drawing* drawing() override { return nullptr; }
+};
+
+TEST_F(Studies, FramesLeavesOutWhatDoesNotDraw) {
+  Session session({"cpu"}, {}, [](const std::string&, const OpenOptions&) { return std::make_unique<Blind>(); });
+  const FramesOptions options = transfers({"compute"});
+  FramesStudy study(session, options, {});
+  study.measure_size(64);
+  EXPECT_TRUE(study.frames.empty());
+  EXPECT_EQ(study.left_out.at(0).at("reason"), "this backend does not have it");
+  EXPECT_THROW(drawing_of(session.reference()), BackendError);
 }
 
 // The same image on several backends is timed in turns, those of devices with as many steps a sample.
@@ -200,37 +215,6 @@ TEST_F(Studies, RunNamesTheMethodThatAutoChose) {
   ASSERT_EQ(run("run --backend cpu --n 100 --scene uniform --verbose --json " + folder_.path("run.json")), 0) << said();
   EXPECT_NE(said().find("auto: parallel"), std::string::npos) << said();
   EXPECT_EQ(record("run.json").at("choice").at("name"), "parallel");
-}
-
-// Steps that change what the next one has to do are counted from the same start in every sample.
-TEST(StudiesOfTime, EverySampleBeginsWhereTheFirstDid) {
-  Session session({"cpu"}, {});
-  uint64_t steps = 0, most = 0, restarts = 0;
-  Contender falling{
-      .label = "falling", .backend = session.find("cpu"), .step = [&](Backend&) { most = std::max(most, ++steps); }};
-  falling.restart = [&](Backend&) { steps = 0, ++restarts; };
-  falling.batch = 3;
-  Sampling sampling;
-  sampling.rounds = 4;
-  Progress progress;
-  const std::vector<Samples> samples = measure(session, {&falling, 1}, sampling, progress);
-  EXPECT_EQ(samples.front().seconds.size(), 4u);
-  EXPECT_EQ(most, 6u) << "three untimed ones ahead of three";
-  EXPECT_GE(restarts, 4u);
-}
-
-TEST(StudiesOfTime, StepsInOneGoAreEnqueuedOncePerBatch) {
-  Session session({"cpu"}, {});
-  std::vector<uint64_t> counts;
-  Contender persistent{.label = "persistent", .backend = session.find("cpu"), .step = [](Backend&) {}};
-  persistent.steps = [&](Backend&, uint64_t steps) { counts.push_back(steps); };
-  persistent.batch = 8;
-  Sampling sampling;
-  sampling.rounds = 1;
-  Progress progress;
-  measure(session, {&persistent, 1}, sampling, progress);
-  std::ranges::sort(counts);
-  EXPECT_EQ(counts, (std::vector<uint64_t>{2, 4, 8}));
 }
 
 }  // namespace

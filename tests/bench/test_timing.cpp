@@ -77,5 +77,36 @@ TEST_P(TimedSamples, CountWhatIsCompiledAndAllocated) {
 
 INSTANTIATE_BACKENDS(TimedSamples);
 
+// Steps that change what the next one has to do are counted from the same start in every sample.
+TEST(StudiesOfTime, EverySampleBeginsWhereTheFirstDid) {
+  Session session({"cpu"}, {});
+  uint64_t steps = 0, most = 0, restarts = 0;
+  Contender falling{
+      .label = "falling", .backend = session.find("cpu"), .step = [&](Backend&) { most = std::max(most, ++steps); }};
+  falling.restart = [&](Backend&) { steps = 0, ++restarts; };
+  falling.batch = 3;
+  Sampling sampling;
+  sampling.rounds = 4;
+  Progress progress;
+  const std::vector<Samples> samples = measure(session, {&falling, 1}, sampling, progress);
+  EXPECT_EQ(samples.front().seconds.size(), 4u);
+  EXPECT_EQ(most, 6u) << "three untimed ones ahead of three";
+  EXPECT_GE(restarts, 4u);
+}
+
+TEST(StudiesOfTime, StepsInOneGoAreEnqueuedOncePerBatch) {
+  Session session({"cpu"}, {});
+  std::vector<uint64_t> counts;
+  Contender persistent{.label = "persistent", .backend = session.find("cpu"), .step = [](Backend&) {}};
+  persistent.steps = [&](Backend&, uint64_t steps) { counts.push_back(steps); };
+  persistent.batch = 8;
+  Sampling sampling;
+  sampling.rounds = 1;
+  Progress progress;
+  measure(session, {&persistent, 1}, sampling, progress);
+  std::ranges::sort(counts);
+  EXPECT_EQ(counts, (std::vector<uint64_t>{2, 4, 8}));
+}
+
 }  // namespace
 }  // namespace spherepair

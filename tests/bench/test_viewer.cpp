@@ -25,7 +25,7 @@ Start start_at(uint64_t step, MotionMethod method) {
 }
 
 uint64_t hash_of(Backend& backend) {
-  const Backend::State state = current_state(backend);
+  const Motion::State state = current_state(backend);
   return state_hash(state.positions, state.velocities, state.wide);
 }
 

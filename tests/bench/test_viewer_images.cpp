@@ -46,7 +46,7 @@ class ViewerImages : public testing::Test {
     if (lit) image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
     image.look.ground = double(start_.scene.plane);
     if (with_box) image.box = bounds_;
-    return draw_image(*backend, image).pixels;
+    return draw_image(drawing_of(*backend), image).pixels;
   }
 
   const ScratchFolder folder_;

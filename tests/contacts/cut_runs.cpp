@@ -83,7 +83,7 @@ void keep_rows(const std::vector<ContactStatistics>& rows, RunEnd& end) {
   }
 }
 
-std::string state_difference(const Backend::State& a, const Backend::State& b) {
+std::string state_difference(const Motion::State& a, const Motion::State& b) {
   const auto same = [](const auto& left, const auto& right) {
     return std::ranges::equal(std::as_bytes(std::span(left)), std::as_bytes(std::span(right)));
   };

@@ -32,7 +32,7 @@ std::optional<Scene> scene_of(const DrawnRun& run);
 
 // The result of a run: its last state, its statistics by step, and the step and the reason of a failure.
 struct RunEnd {
-  Backend::State state;
+  Motion::State state;
   MotionState saved;
   std::map<uint64_t, std::string> rows;
   std::string failure;  // without the backend's name

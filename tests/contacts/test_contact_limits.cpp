@@ -110,7 +110,7 @@ std::string text_of_cut_run(Backend& on, const FarOut& far, uint64_t cut, uint64
     for (uint64_t step = 0; step < cut; ++step) on.move();
     if (cut) {
       Scene scene = far.scene;
-      const Backend::State state = current_state(on);
+      const Motion::State state = current_state(on);
       scene.positions = state.positions, scene.velocities = state.velocities;
       on.resume(scene, on.save());
     }

@@ -18,7 +18,7 @@ class Interop : public BackendTest {
     for (Backend* each : open_backends())
       if (each->info().name == "opengl") glsl_ = each;
     if (const std::string why = why_no_pipeline(backend()); !why.empty()) GTEST_SKIP() << why;
-    if (backend().transfers().empty()) GTEST_SKIP() << "the spheres are OpenGL's own";
+    if (drawing().transfers().empty()) GTEST_SKIP() << "the spheres are OpenGL's own";
   }
   void show(const Scene& scene) {
     for (Backend* each : {&backend(), glsl_}) {
@@ -34,15 +34,15 @@ class Interop : public BackendTest {
   }
   void expect_equal_images(const View& view, const std::string& what) {
     for (const DrawMethod method : through_opengl) {
-      glsl_->draw(view, {.method = method});
-      const std::vector<uint> expected = glsl_->image();
+      drawing_of(*glsl_).draw(view, {.method = method});
+      const std::vector<uint> expected = drawing_of(*glsl_).image();
       const auto covered = std::ranges::count_if(expected, [&](uint pixel) { return pixel != expected.front(); });
       EXPECT_GT(uint64_t(covered), width * height / 50) << "a blank image, " << draw_method_name(method);
-      for (const Transfer way : backend().transfers()) {
-        backend().draw(view, {.method = method, .transfer = way});
-        EXPECT_EQ(backend().image(), expected)
+      for (const Transfer way : drawing().transfers()) {
+        drawing().draw(view, {.method = method, .transfer = way});
+        EXPECT_EQ(drawing().image(), expected)
             << what << ", " << transfer_name(way) << ", " << draw_method_name(method);
-        EXPECT_EQ(backend().transfer_taken(), way);
+        EXPECT_EQ(drawing().transfer_taken(), way);
       }
     }
   }
@@ -77,10 +77,10 @@ TEST_P(Interop, FollowsScenesOfOtherSizesAndAnchoredMotion) {
 TEST_P(Interop, TheFastestWayIsTakenUnlessAnotherIsNamed) {
   const Scene scene = make_scene({.n = 100});
   show(scene);
-  backend().draw(view_of(scene), {.method = DrawMethod::mesh});
-  EXPECT_EQ(backend().transfer_taken(), backend().transfers().back());
-  backend().draw(view_of(scene), {.method = DrawMethod::mesh, .transfer = Transfer::host});
-  EXPECT_EQ(backend().transfer_taken(), Transfer::host);
+  drawing().draw(view_of(scene), {.method = DrawMethod::mesh});
+  EXPECT_EQ(drawing().transfer_taken(), drawing().transfers().back());
+  drawing().draw(view_of(scene), {.method = DrawMethod::mesh, .transfer = Transfer::host});
+  EXPECT_EQ(drawing().transfer_taken(), Transfer::host);
 }
 
 INSTANTIATE_BACKENDS(Interop);
@@ -89,9 +89,11 @@ TEST(InteropErrors, OpenGLsOwnSpheresAreNotTransferred) {
   for (Backend* backend : open_backends()) {
     if (backend->info().name != "opengl") continue;
     backend->upload(make_scene({.n = 10}));
-    EXPECT_THROW(backend->transfer(Transfer::host), BackendError);
+    Drawing& drawing = drawing_of(*backend);
+    EXPECT_TRUE(drawing.transfers().empty());
+    EXPECT_THROW(drawing.transfer(Transfer::host), BackendError);
     const View view = view_of(make_scene({.n = 10}));
-    EXPECT_THROW(backend->draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::host}), std::invalid_argument);
+    EXPECT_THROW(drawing.draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::host}), std::invalid_argument);
   }
 }
 
@@ -101,7 +103,8 @@ TEST(InteropErrors, OnlyCudasSpheresAreSharedWithOpenGL) {
     if (const std::string why = why_no_pipeline(*backend); !why.empty()) GTEST_SKIP() << why;
     backend->upload(make_scene({.n = 10}));
     const View view = view_of(make_scene({.n = 10}));
-    EXPECT_THROW(backend->draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::imported}), BackendError);
+    EXPECT_THROW(drawing_of(*backend).draw(view, {.method = DrawMethod::mesh, .transfer = Transfer::imported}),
+                 BackendError);
   }
 }
 
@@ -113,7 +116,7 @@ TEST(InteropErrors, OpenGLDrawsForCudaOnlyOnCudasGpu) {
   const auto cuda = open_backend("cuda", options);
   if (cuda->info().uuid == options.gl_device) GTEST_SKIP() << "one GPU";
   cuda->upload(make_scene({.n = 10}));
-  EXPECT_THROW(cuda->draw(view_of(make_scene({.n = 10})), {.method = DrawMethod::mesh}), BackendError);
+  EXPECT_THROW(drawing_of(*cuda).draw(view_of(make_scene({.n = 10})), {.method = DrawMethod::mesh}), BackendError);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(Vulkan, RefusesTransfersThatItLacks) {
   const View view = make_view(frame(bounds_of(scene.positions), 30, 20, 40, 1), contact_look(), 32, 32);
   const auto complaint = [&](Transfer way) -> std::string {
     try {
-      backend.draw(view, {.method = DrawMethod::mesh, .transfer = way});
+      drawing_of(backend).draw(view, {.method = DrawMethod::mesh, .transfer = way});
     } catch (const BackendError& error) {
       return error.what();
     }
@@ -94,7 +94,8 @@ TEST_F(Vulkan, RefusesTransfersThatItLacks) {
   };
   EXPECT_NE(complaint(Transfer::registered).find("maps no buffers"), std::string::npos);
   const std::string imported = complaint(Transfer::imported);
-  EXPECT_EQ(imported.find("share no memory") != std::string::npos, backend.transfers().back() == Transfer::host)
+  EXPECT_EQ(imported.find("share no memory") != std::string::npos,
+            drawing_of(backend).transfers().back() == Transfer::host)
       << imported;
 }
 

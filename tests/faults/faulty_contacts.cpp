@@ -9,11 +9,11 @@ namespace {
 
 class Step {
  public:
-  Step(const Scene& scene, const Backend::State& before, Backend::State after)
+  Step(const Scene& scene, const Motion::State& before, Motion::State after)
       : params_(contact_params(scene)), before_(before), after_(std::move(after)), n_(before.positions.size()) {}
 
-  Backend::State state() { return std::move(after_); }
-  bool is_same_as(const Backend::State& earlier, uint64_t i) const {
+  Motion::State state() { return std::move(after_); }
+  bool is_same_as(const Motion::State& earlier, uint64_t i) const {
     return !earlier.positions.empty() && is_same(load_body(earlier.wide, earlier.positions, i), body(before_, i));
   }
 
@@ -26,12 +26,12 @@ class Step {
         return take(j, -push.x, -push.y, -push.z);
       }
   }
-  void move_what_rests(const Backend::State& earlier) {
+  void move_what_rests(const Motion::State& earlier) {
     for (uint64_t i = 0; i < n_; ++i)
       if (is_same_as(earlier, i) && is_same(body(before_, i), body(after_, i)))
         return take(i, -integer_of(2 / mobility_of(before_.positions[i].w, params_)), 0, 0);
   }
-  void keep_what_rests(const Backend::State& earlier) {
+  void keep_what_rests(const Motion::State& earlier) {
     for (uint64_t i = 0; i < n_; ++i)
       if (is_same_as(earlier, i)) store(i, body(before_, i));
   }
@@ -40,7 +40,7 @@ class Step {
   }
 
  private:
-  static Body body(const Backend::State& state, uint64_t i) { return load_body(state.wide, state.positions, i); }
+  static Body body(const Motion::State& state, uint64_t i) { return load_body(state.wide, state.positions, i); }
 
   // The sphere without this part of its momentum.
   void take(uint64_t i, int64_t x, int64_t y, int64_t z) {
@@ -62,8 +62,8 @@ class Step {
   }
 
   const ContactParams params_;
-  const Backend::State& before_;
-  Backend::State after_;
+  const Motion::State& before_;
+  Motion::State after_;
   uint64_t n_;
 };
 
@@ -74,8 +74,8 @@ bool spoils_steps(Fault fault) {
          fault == Fault::drag_once_more;
 }
 
-Backend::State spoiled_step(Fault fault, const Scene& scene, const Backend::State& earlier,
-                            const Backend::State& before, const Backend::State& after, bool first_list) {
+Motion::State spoiled_step(Fault fault, const Scene& scene, const Motion::State& earlier, const Motion::State& before,
+                           const Motion::State& after, bool first_list) {
   Step step(scene, before, after);
   if (fault == Fault::lost_near_pair && !first_list) step.lose_a_pair();
   if (fault == Fault::moves_at_rest) step.move_what_rests(earlier);

@@ -35,7 +35,7 @@ void go_on(Checkpoint checkpoint) {
   backend.resume(checkpoint.scene, checkpoint.motion);
   require_one_set();
   for (int step = 0; step < 3; ++step) backend.move();
-  const Backend::State state = current_state(backend);
+  const Motion::State state = current_state(backend);
   checkpoint.scene.positions = state.positions, checkpoint.scene.velocities = state.velocities;
   checkpoint.motion = backend.save();
   const std::string file = input_file("saved", "");

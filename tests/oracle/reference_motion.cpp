@@ -104,7 +104,7 @@ Moved step_paper(vec4 position, vec4 velocity, const MotionParams& params) {
   return {{next.x, next.y, next.z, next.radius}, {next.vx, next.vy, next.vz, 0}};
 }
 
-void step_all(const Scene& scene, Backend::State& state) {
+void step_all(const Scene& scene, Motion::State& state) {
   const MotionParams params = reference_params(scene);
   for (size_t i = 0; i < state.positions.size(); ++i) {
     const Moved next = step_paper(state.positions[i], state.velocities[i], params);

@@ -21,6 +21,6 @@ Moved step_rational(vec4 position, vec4 velocity, const MotionParams& params);
 Moved step_paper(vec4 position, vec4 velocity, const MotionParams& params);
 
 // One step of all spheres with motion.h itself, for long runs against the backends.
-void step_all(const Scene& scene, Backend::State& state);
+void step_all(const Scene& scene, Motion::State& state);
 
 }  // namespace spherepair

@@ -60,7 +60,7 @@ TEST_P(ContactRest, WhatIsHitAwakens) {
     scene.contact.drag = float(0.02 / double(scene.dt));
     std::vector<uint> rested;
     for (const uint64_t steps : {3000u, 3001u, 8000u, 20'000u}) {
-      const Backend::State state = run_steps(backend(), scene, steps);
+      const Motion::State state = run_steps(backend(), scene, steps);
       expect_equal_states(state, run_steps(cpu_backend(), awake(scene), steps), fmt::format("{} steps", steps));
       if (steps == 3000) rested = state.wide;
       const auto moved = [&](uint64_t k) { return word(rested, k) != word(state.wide, k); };
@@ -79,7 +79,7 @@ struct Saved {
 };
 
 // These spheres at rest, and more that fly.
-Saved joined_by(const Scene& at_rest, const Backend::State& state, const Scene& flying) {
+Saved joined_by(const Scene& at_rest, const Motion::State& state, const Scene& flying) {
   Scene scene = with(at_rest, state);
   scene.positions.insert(scene.positions.end(), flying.positions.begin(), flying.positions.end());
   scene.velocities.insert(scene.velocities.end(), flying.velocities.begin(), flying.velocities.end());
@@ -95,7 +95,7 @@ Saved joined_by(const Scene& at_rest, const Backend::State& state, const Scene& 
 TEST_P(ContactRest, WhatLosesANearPairAwakens) {
   Scene stack = scene_of({{0, 0.5f, 0, 0.5f}, {0, 1.49f, 0, 0.5f}});
   stack.plane = 0;
-  Backend::State rest;
+  Motion::State rest;
   for (float dt = 0.016f; rest.wide.empty() || rest.wide != run_steps(cpu_backend(), stack, 4001).wide; dt *= 0.99f) {
     ASSERT_GT(dt, 0.014f) << "so coarse that few steps of this drag come to rest";
     choose_contacts(stack, {.law = ContactLaw::spring, .stiffness = 1e6f, .dt = dt, .drag = 0.39f / dt});
@@ -110,7 +110,7 @@ TEST_P(ContactRest, WhatLosesANearPairAwakens) {
   Saved joined = joined_by(stack, rest, flying);
   std::vector<uint> thrown;
   for (uint64_t steps = 1; steps < 12; ++steps) {
-    std::vector<Backend::State> states;
+    std::vector<Motion::State> states;
     for (const bool sleeping : {true, false}) {
       joined.scene.contact.sleeping = sleeping;
       Backend& one = sleeping ? backend() : cpu_backend();
@@ -154,7 +154,7 @@ TEST_P(ContactRest, SumsCanChangeWhileSpheresRest) {
       if (step % 3000 == 0) one.sum_impulses(step % 6000 == 0 ? ImpulseSums::integers : ImpulseSums::in_order);
       one.move();
     }
-    const Backend::State state = current_state(one);
+    const Motion::State state = current_state(one);
     one.sum_impulses(ImpulseSums::integers);
     return state;
   };
@@ -163,8 +163,7 @@ TEST_P(ContactRest, SumsCanChangeWhileSpheresRest) {
 
 TEST_P(ContactRest, SavedAndResumedAtRest) {
   const Scene scene = soft_bed(27, 0.02);
-  const Backend::State wanted = run_steps(cpu_backend(), awake(scene), 9000),
-                       middle = run_steps(backend(), scene, 6000);
+  const Motion::State wanted = run_steps(cpu_backend(), awake(scene), 9000), middle = run_steps(backend(), scene, 6000);
   const MotionState saved = backend().save();
   backend().resume(with(scene, middle), saved);
   for (int step = 6000; step < 9000; ++step) backend().move();

@@ -32,7 +32,7 @@ class SumsOfImpulses : public KernelTest {
   }
 };
 
-Backend::State run_by(ImpulseSums sums, Backend& backend, const Scene& scene, uint64_t steps) {
+Motion::State run_by(ImpulseSums sums, Backend& backend, const Scene& scene, uint64_t steps) {
   backend.sum_impulses(sums);
   return run_steps(backend, scene, steps);
 }
@@ -81,7 +81,7 @@ TEST_P(SumsOfImpulses, InOrderAreThoseOfAllPairsByAscendingIndex) {
 // Many steps, through several lists of near pairs.
 TEST_P(SumsOfImpulses, InOrderHaveTheBitsOfTheCpu) {
   for (const Scene& scene : crowded_scenes()) {
-    const Backend::State wanted = run_by(ImpulseSums::in_order, cpu_backend(), scene, enough);
+    const Motion::State wanted = run_by(ImpulseSums::in_order, cpu_backend(), scene, enough);
     expect_equal_states(run_by(ImpulseSums::in_order, backend(), scene, enough), wanted, scene.name);
     if (scene.name != "shells") continue;  // a sphere of the gases seldom has several contacts at once
     EXPECT_TRUE(wanted.wide != run_by(ImpulseSums::integers, cpu_backend(), scene, enough).wide);
@@ -98,7 +98,7 @@ TEST_P(SumsOfImpulses, CanChangeBetweenSteps) {
     }
     return current_state(backend);
   };
-  const Backend::State wanted = alternating(cpu_backend());
+  const Motion::State wanted = alternating(cpu_backend());
   EXPECT_TRUE(wanted.wide != run_by(ImpulseSums::integers, cpu_backend(), scene, 400).wide);
   expect_equal_states(alternating(backend()), wanted, "alternating");
 }

@@ -112,11 +112,11 @@ std::string why_invalid(uint64_t seed) {
     const uint64_t moves = scene.size() == 0 ? 0 : dice.below(6);
     for (Backend* backend : backends)
       for (uint64_t k = 0; k < moves; ++k) backend->move();
-    const Backend::State state = current_state(*backends.front());
+    const Motion::State state = current_state(*backends.front());
     const uint64_t hash = state_hash(state.positions, state.velocities, state.wide);
     const std::vector<Pair> expected = swept_pairs(state.positions);
     for (Backend* backend : backends) {
-      const Backend::State own = current_state(*backend);
+      const Motion::State own = current_state(*backend);
       if (state_hash(own.positions, own.velocities, own.wide) != hash) return backend->info().name + ": another state";
       const CollideOptions options = random_options(dice, *backend);
       const auto wanted = options.method == Method::collide_group ? within_groups(expected, options.block) : expected;

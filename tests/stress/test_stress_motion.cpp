@@ -59,7 +59,7 @@ TEST_P(StressCatalogue, Row24_ComesToRest) {
       double lowest = 0, highest = 0;
       for (float restitution : {0.0f, 0.5f, 0.9f}) {
         const Scene scene = bouncing_scene({{method, precision}, dt, restitution, 50});
-        const Backend::State state = run_steps(backend(), scene, uint64_t(1000 / dt));
+        const Motion::State state = run_steps(backend(), scene, uint64_t(1000 / dt));
         for (uint64_t i = 0; i < scene.size(); ++i) {
           const ExactState sphere = exact_state(state, scene.motion, i);
           ASSERT_EQ(double(sphere[4]), 0) << motion_label(scene.motion) << ", e = " << restitution;
@@ -84,7 +84,7 @@ TEST_P(StressCatalogue, Row25_LongSteps) {
         backend().upload(scene);
         for (int step = 1; step <= 40; ++step) {
           backend().move();
-          const Backend::State state = current_state(backend());
+          const Motion::State state = current_state(backend());
           const double bound = precision == Precision::float32 ? 1e-4 : 1e-9;
           for (uint64_t i = 0; i < scene.size(); ++i) {
             const ExactState sphere = exact_state(state, scene.motion, i);
@@ -106,7 +106,7 @@ TEST_P(StressCatalogue, Row26_FastSpheresStayAboveThePlane) {
       backend().upload(scene);
       for (int step = 0; step < 60; ++step) {
         backend().move();
-        const Backend::State state = current_state(backend());
+        const Motion::State state = current_state(backend());
         for (uint64_t i = 0; i < scene.size(); ++i)
           ASSERT_GE(height_of(scene, exact_state(state, scene.motion, i), i), 0) << motion_label(scene.motion);
       }
@@ -123,7 +123,7 @@ Scene distant_scene(MotionOptions motion, float distance) {
 
 // Along x and z only: the closed form is a product.
 double displacement_error(Backend& backend, const Scene& scene, uint64_t steps) {
-  const Backend::State state = run_steps(backend, scene, steps);
+  const Motion::State state = run_steps(backend, scene, steps);
   double largest = 0;
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const ExactState sphere = exact_state(state, scene.motion, i);

@@ -204,7 +204,7 @@ TEST_P(StressCatalogue, Row19_GroupSizesAndThreadCounts) {
     const auto cpu = open_backend("cpu", {.threads = threads});
     expect_pairs(*cpu, scene, expected, every_method(*cpu, block_sizes().first(1)));
     for (int step = 0; step < 100; ++step) cpu->move();
-    const Backend::State state = current_state(*cpu);
+    const Motion::State state = current_state(*cpu);
     hashes.insert(state_hash(state.positions, state.velocities));
   }
   EXPECT_EQ(hashes.size(), 1u) << "the state depends on the number of threads";

@@ -58,7 +58,7 @@ void expect_no_slowdown(Backend& backend, const Scene& normal, const Scene& deca
 TEST_P(StressCatalogue, Row28_VelocitiesDecayThroughDenormals) {
   for (auto [slowest, fastest] : {std::pair(-70.0, -50.0), std::pair(-149.0, -110.0), std::pair(-20.0, 0.0)}) {
     const Scene scene = decaying_scene(1000, slowest, fastest);
-    Backend::State wanted = {scene.positions, scene.velocities, {}};
+    Motion::State wanted = {scene.positions, scene.velocities, {}};
     backend().upload(scene);
     for (int step = 0; step < 200; ++step) {
       backend().move();
@@ -70,7 +70,7 @@ TEST_P(StressCatalogue, Row28_VelocitiesDecayThroughDenormals) {
 }
 
 void check_motion(Backend& backend, const Scene& scene, int steps) {
-  Backend::State wanted = {scene.positions, scene.velocities, {}};
+  Motion::State wanted = {scene.positions, scene.velocities, {}};
   backend.upload(scene);
   for (int step = 0; step < steps; ++step) {
     backend.move();

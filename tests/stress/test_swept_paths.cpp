@@ -65,7 +65,7 @@ class SweptPaths : public KernelTest {
   std::vector<Pair> search(Method method = Method::automatic) {
     return run_step(backend(), {.method = method, .want_pairs = true, .swept = true}).pairs.value();
   }
-  Backend::State state() {
+  Motion::State state() {
     backend().evaluate_state();
     return backend().state();
   }
@@ -80,7 +80,7 @@ TEST_P(SweptPaths, FollowBouncesWithinTheStep) {
       const Scene scene = falling_scene(motion, fall, 200);
       backend().upload(scene);
       for (int step = 0; step < 2; ++step) {
-        const Backend::State now = state();
+        const Motion::State now = state();
         std::vector<OraclePath> paths;
         for (uint64_t i = 0; i < scene.size(); ++i)
           paths.push_back(
@@ -177,10 +177,10 @@ TEST_P(SweptPaths, LeadStraightToTheNextStep) {
     SCOPED_TRACE(motion_label(scene.motion));
     backend().upload(scene);
     for (int step = 0; step < 12; ++step) {
-      const Backend::State from = state();
+      const Motion::State from = state();
       const std::vector<Pair> found = search();
       backend().move();
-      const Backend::State to = state();
+      const Motion::State to = state();
       std::vector<OraclePath> paths;
       for (uint64_t i = 0; i < scene.size(); ++i) {
         const vec4 &p = from.positions[i], &q = to.positions[i];
@@ -218,7 +218,7 @@ TEST_P(SweptPaths, TakeTheImpulsesOfContacts) {
     choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e6f});
     return scene;
   };
-  const Backend::State alone = run_steps(cpu_backend(), pushed(5, 5), 1);
+  const Motion::State alone = run_steps(cpu_backend(), pushed(5, 5), 1);
   const float along = alone.positions[1].x - 0.9f, up = alone.positions[3].y - 0.45f;
   EXPECT_GT(along, 1e-4f);
   EXPECT_GT(up, 1e-4f);

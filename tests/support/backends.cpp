@@ -91,8 +91,8 @@ CollideOptions fast_method(const Backend& backend) {
   return {.method = backend.info().on_host ? Method::parallel : Method::collide_triangle};
 }
 
-uint64_t hash_of_state(Backend& backend) {
-  const Backend::State state = current_state(backend);
+uint64_t hash_of_state(Motion& motion) {
+  const Motion::State state = current_state(motion);
   return state_hash(state.positions, state.velocities, state.wide);
 }
 

@@ -54,13 +54,14 @@ std::string last_gpu(const std::string& backend);
 // the CPU all but collide_group.
 std::vector<CollideOptions> every_method(const Backend& backend, std::span<const uint> blocks);
 CollideOptions fast_method(const Backend& backend);
-uint64_t hash_of_state(Backend& backend);  // of the current state: evaluates it, then reads it
+uint64_t hash_of_state(Motion& motion);  // of the current state: evaluates it, then reads it
 std::string describe(const CollideOptions& options);
 
 class BackendTest : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override;
   Backend& backend() { return *backend_; }
+  Drawing& drawing() { return drawing_of(*backend_); }
 
  private:
   Backend* backend_ = nullptr;

@@ -27,8 +27,8 @@ Image brute_force_image(const std::vector<vec4>& spheres, const std::vector<uint
   return image;
 }
 
-std::string why_no_pipeline(const Backend& backend) {
-  if (backend.draw_methods().size() == 1) return "no pipeline of OpenGL's draws its spheres";
+std::string why_no_pipeline(Backend& backend) {
+  if (drawing_of(backend).draw_methods().size() == 1) return "no pipeline of OpenGL's draws its spheres";
   const auto& all = all_backends();
   const auto opengl = std::ranges::find(all, "opengl", &OpenedBackend::name);
   if (opengl == all.end() || !opengl->backend) return "no OpenGL here";
@@ -42,13 +42,14 @@ void DeviceImages::SetUp() {
 }
 
 Image image_of(Backend& backend, const View& view, const DrawOptions& options) {
-  backend.draw(view, options);
-  Image image{backend.image(), {}};
+  Drawing& drawing = drawing_of(backend);
+  drawing.draw(view, options);
+  Image image{drawing.image(), {}};
   DrawOptions keeping = options;  // draws it on another path
   keeping.keep_visible = true;
-  backend.draw(view, keeping);
-  image.visible = backend.visible();
-  if (backend.image() != image.image) image.image.clear();  // equal to none
+  drawing.draw(view, keeping);
+  image.visible = drawing.visible();
+  if (drawing.image() != image.image) image.image.clear();  // equal to none
   backend.check_guards();
   return image;
 }

@@ -20,7 +20,7 @@ class DeviceImages : public BackendTest {
 };
 
 // The reason why OpenGL's pipeline cannot draw the backend's spheres here; empty if it can.
-std::string why_no_pipeline(const Backend& backend);
+std::string why_no_pipeline(Backend& backend);
 
 // Draws the backend's spheres and returns the image. The first difference from the expected image as one sentence;
 // empty if there is none.

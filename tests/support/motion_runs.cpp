@@ -34,10 +34,10 @@ Scene awkward_scene(const BouncingOptions& o) {
   return scene;
 }
 
-Backend::State run_steps(Backend& backend, const Scene& scene, uint64_t steps) {
-  backend.upload(scene);
-  for (uint64_t step = 0; step < steps; ++step) backend.move();
-  return current_state(backend);
+Motion::State run_steps(Motion& motion, const Scene& scene, uint64_t steps) {
+  motion.upload(scene);
+  for (uint64_t step = 0; step < steps; ++step) motion.move();
+  return current_state(motion);
 }
 
 Backend& cpu_backend() {
@@ -45,7 +45,7 @@ Backend& cpu_backend() {
   return *cpu;
 }
 
-void expect_equal_states(const Backend::State& given, const Backend::State& wanted, const std::string& where) {
+void expect_equal_states(const Motion::State& given, const Motion::State& wanted, const std::string& where) {
   count_figure("states");
   ASSERT_EQ(given.positions.size(), wanted.positions.size()) << where;
   ASSERT_EQ(given.velocities.size(), wanted.velocities.size()) << where;

@@ -20,12 +20,12 @@ Scene bouncing_scene(const BouncingOptions& options);
 Scene awkward_scene(const BouncingOptions& options);
 
 // The state after `steps` steps from the scene.
-Backend::State run_steps(Backend& backend, const Scene& scene, uint64_t steps);
+Motion::State run_steps(Motion& motion, const Scene& scene, uint64_t steps);
 
 Backend& cpu_backend();
 
 // Fails if the states differ in any bit, and names the first sphere and the place in the wide state.
-void expect_equal_states(const Backend::State& given, const Backend::State& wanted, const std::string& where);
+void expect_equal_states(const Motion::State& given, const Motion::State& wanted, const std::string& where);
 
 constexpr Precision PRECISIONS[] = {Precision::float32, Precision::compensated, Precision::float64};
 

@@ -102,7 +102,7 @@ std::vector<uint> in_order(const std::vector<uint>& wide, std::span<const uint> 
   return other;
 }
 
-Scene with(Scene scene, const Backend::State& state) {
+Scene with(Scene scene, const Motion::State& state) {
   scene.positions = state.positions;
   scene.velocities = state.velocities;
   return scene;
@@ -110,7 +110,7 @@ Scene with(Scene scene, const Backend::State& state) {
 
 std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact) {
   const uint64_t n = scene.size();
-  const Backend::State far = run_steps(backend, scene, steps);
+  const Motion::State far = run_steps(backend, scene, steps);
   backend.move();
   MotionState back = turned(far.wide, current_state(backend).wide, n);
   if (drops_a_contact) drop_a_contact(scene, back.wide);

@@ -33,7 +33,7 @@ std::vector<uint> shuffled(uint64_t n);
 Scene in_order(const Scene& scene, std::span<const uint> order);
 std::vector<uint> in_order(const std::vector<uint>& wide, std::span<const uint> order);
 
-Scene with(Scene scene, const Backend::State& state);
+Scene with(Scene scene, const Motion::State& state);
 
 // The wide state after `steps` steps and as many back. With drops_a_contact, one contact is dropped once, at the turn.
 std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact);

@@ -33,12 +33,12 @@ Scene flying(const Flight& flight, double ratio = 1) {
 }
 
 // Positions in metres, of the integers.
-double along_x(const Scene& scene, const Backend::State& state) {
+double along_x(const Scene& scene, const Motion::State& state) {
   return std::ldexp(double(word(state.wide, 0)), -scene.contact.unit_exponent);
 }
 
 // The velocity is that of half a step before the position.
-void expect_closed_form(const Scene& scene, const Backend::State& state, uint64_t steps, const std::string& where) {
+void expect_closed_form(const Scene& scene, const Motion::State& state, uint64_t steps, const std::string& where) {
   const double drag = double(scene.contact.drag), dt = double(scene.dt), t = double(steps) * dt,
                v = double(scene.velocities[0].x), g = double(scene.gravity);
   const double way = -std::expm1(-drag * t) / drag;

@@ -138,7 +138,7 @@ TEST(ContactLaws, SpringDampsSmallSpheresToo) {
   Scene scene = make_scene({.name = "collide2", .n = 2, .radius = 1e-7f});
   scene.restitution = 0.5f;
   choose_contacts(scene, {.law = ContactLaw::spring});
-  const Backend::State end = run_steps(cpu_backend(), scene, 400);
+  const Motion::State end = run_steps(cpu_backend(), scene, 400);
   EXPECT_NEAR(end.velocities[1].x - end.velocities[0].x, 1, 0.01);  // together, of 2 m/s
 }
 
@@ -148,10 +148,10 @@ TEST(ContactLaws, SameBitsWithAnyNumberOfThreadsSortedOrNot) {
   choose_contacts(scene, {.law = ContactLaw::spring, .stiffness = 1e5f});
   const std::vector<uint> order = shuffled(scene.size());
   const Scene unsorted = in_order(scene, order);
-  Backend::State wanted;
+  Motion::State wanted;
   for (const int threads : {1, 2, 7}) {
     const auto backend = open_backend("cpu", {.threads = threads});
-    const Backend::State found = run_steps(*backend, scene, 60);
+    const Motion::State found = run_steps(*backend, scene, 60);
     if (threads == 1) wanted = found;
     expect_equal_states(found, wanted, fmt::format("{} threads", threads));
     EXPECT_GT(run_step(*backend, fast_method(*backend)).totals.pairs, 4096u);

@@ -48,7 +48,7 @@ double rebound(const Approach& a) {
   cpu_backend().upload(scene);
   for (int turn = 0; turn < 200; ++turn) {
     for (int step = 0; step < 40; ++step) cpu_backend().move();
-    const Backend::State s = current_state(cpu_backend());
+    const Motion::State s = current_state(cpu_backend());
     const auto &x = s.positions, &v = s.velocities;
     const double apart = a.plane ? double(x[0].y) : double(x[1].x) - double(x[0].x);
     const double speed = a.plane ? double(v[0].y) : double(v[1].x) - double(v[0].x);

@@ -43,7 +43,7 @@ double rebound(ContactLaw law, float ratio, double late) {
   choose_contacts(scene, {.law = law});
   scene.positions[1].x += float((3 + late) * double(scene.dt));
   const uint64_t steps = 250;  // of which a contact of two smallest spheres lasts 40
-  const Backend::State end = run_steps(cpu_backend(), scene, steps);
+  const Motion::State end = run_steps(cpu_backend(), scene, steps);
   return double(end.velocities[1].x) - double(end.velocities[0].x);
 }
 
@@ -86,7 +86,7 @@ TEST(ContactRanges, AnyScaleIsRightOrRefused) {
       scene.velocities = {{}, {-radius, 0, 0, 0}};
       try {
         choose_contacts(scene, {.law = law});
-        const Backend::State end = run_steps(cpu_backend(), scene, 200);
+        const Motion::State end = run_steps(cpu_backend(), scene, 200);
         EXPECT_NEAR(double(end.velocities[0].x) / double(radius), -1, 2e-3) << contact_name(law) << ", 2^" << k << " m";
         EXPECT_NEAR(double(end.velocities[1].x) / double(radius), 0, 2e-3) << contact_name(law) << ", 2^" << k << " m";
         ++right;

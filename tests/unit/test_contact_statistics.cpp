@@ -13,7 +13,7 @@ namespace {
 
 // What a step from this state on does: pairs by an exact search, the state before and after.
 struct Moment {
-  Backend::State now, later;
+  Motion::State now, later;
   std::vector<Pair> pairs;
 };
 
@@ -164,7 +164,7 @@ TEST(ContactStatistics, TheForceOnThePlaneIsThatOfTheNextStep) {
   scene.plane = 0, scene.restitution = 0.3f, scene.velocities[0].y = -1;
   choose_contacts(scene, {.law = ContactLaw::spring});
   const Moment m = moment_of(scene, 0);
-  const auto momentum = [&](const Backend::State& state) {
+  const auto momentum = [&](const Motion::State& state) {
     return std::ldexp(double(load_body(state.wide, scene.positions, 0).py), -scene.contact.momentum_exponent);
   };
   const double weight = sphere_mass(0.5) * -double(scene.gravity);

@@ -75,7 +75,7 @@ double error_of(const World& world, ContactLaw law, double finer, double drag = 
   const auto steps = uint64_t(world.contacts * contact_time(scene) / double(scene.dt));
   OracleWorld moved = world_of(scene);
   advance(moved, seconds_of(scene, steps), static_cast<Real>(scene.dt));
-  const Backend::State found = run_steps(cpu_backend(), scene, steps);
+  const Motion::State found = run_steps(cpu_backend(), scene, steps);
   double error = 0, fastest = 0;
   for (size_t i = 0; i < scene.positions.size(); ++i) {
     const Body body = load_body(found.wide, found.positions, i);

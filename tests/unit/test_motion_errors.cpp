@@ -19,7 +19,7 @@ std::array<double, hundreds> all_rms_of(Backend& backend, MotionOptions motion, 
   const Scene scene = bouncing_scene(
       {.motion = motion, .dt = std::ldexp(1.0f, -k), .restitution = restitution, .n = hundreds * hundred});
   const uint64_t steps = 10u << k;
-  const Backend::State state = run_steps(backend, scene, steps);
+  const Motion::State state = run_steps(backend, scene, steps);
   std::array<double, hundreds> rms{};
   for (uint64_t i = 0; i < scene.size(); ++i) {
     const double error = error_of(scene, i, steps, exact_state(state, motion, i)).position;

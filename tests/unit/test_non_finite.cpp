@@ -123,7 +123,7 @@ TEST_P(NonFiniteOf, WithinTheBoundsEveryStateIsFinite) {
       for (const float restitution : {0.0f, 0.75f, 1.0f}) {
         const Scene scene = extreme_scene(motion, dt, restitution);
         const std::string where = fmt::format("{}, dt {}, restitution {}", motion_label(motion), dt, restitution);
-        const Backend::State state = run_steps(backend(), scene, 40);
+        const Motion::State state = run_steps(backend(), scene, 40);
         for (const std::vector<vec4>* part : {&state.positions, &state.velocities})
           for (const vec4& v : *part)
             ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) << where;
@@ -142,7 +142,7 @@ void expect_steps_that_end(Backend& backend, const std::string& where) {
   for (CollideOptions options : configuration) {
     options.want_pairs = true;
     const StepResult answer = run_step(backend, options);
-    const Backend::State state = current_state(backend);
+    const Motion::State state = current_state(backend);
     for (size_t i = 0; i < state.positions.size(); ++i)
       ASSERT_TRUE(finite_centre(state.positions[i]) || answer.counts[i] == 0) << where << ", " << describe(options);
     backend.check_guards();

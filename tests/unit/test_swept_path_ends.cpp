@@ -17,7 +17,7 @@ TEST(SweptPathEnds, AreThoseOfTheStep) {
       const Scene scene =
           awkward_scene({.motion = {method, Precision::float64}, .dt = dt, .restitution = restitution, .n = 3000});
       const MotionParams m = motion_params(scene);
-      const Backend::State from{scene.positions, scene.velocities, {}}, to = run_steps(cpu_backend(), scene, 1);
+      const Motion::State from{scene.positions, scene.velocities, {}}, to = run_steps(cpu_backend(), scene, 1);
       Params params{};
       params.motion = m;
       const std::vector<vec4> velocities = path_velocities(from, initial_state(scene, m), scene.motion, params, {});

@@ -27,7 +27,7 @@ double time_between_collisions(const ContactPlan& plan, double diameter) {
 }
 
 struct End {
-  Backend::State state;
+  Motion::State state;
   double energy;  // joules
 };
 End end_of(Backend& backend, const Scene& scene, uint64_t steps) {
@@ -68,18 +68,18 @@ std::array<int64_t, 3> change_of_momentum(const Scene& scene, const std::vector<
 
 // Whether as many steps back reach the first positions. The way back begins with the negated momenta of half a step
 // later.
-bool comes_back(Backend& backend, const Scene& scene, uint64_t steps) {
-  const Backend::State far = current_state(backend);
-  backend.move();
-  const std::vector<uint> later = current_state(backend).wide;
+bool comes_back(Motion& motion, const Scene& scene, uint64_t steps) {
+  const Motion::State far = current_state(motion);
+  motion.move();
+  const std::vector<uint> later = current_state(motion).wide;
   MotionState back;
   back.wide = far.wide;
   for (uint64_t k = 3 * scene.size(); k < 6 * scene.size(); ++k) store_real(back.wide, k, -word(later, k));
   Scene from = scene;
   from.positions = far.positions, from.velocities = far.velocities;
-  backend.resume(from, back);
-  for (uint64_t step = 0; step < steps; ++step) backend.move();
-  const std::vector<uint> found = current_state(backend).wide, start = fixed_state(scene);
+  motion.resume(from, back);
+  for (uint64_t step = 0; step < steps; ++step) motion.move();
+  const std::vector<uint> found = current_state(motion).wide, start = fixed_state(scene);
   return std::equal(found.begin(), found.begin() + 6 * int64_t(scene.size()), start.begin());
 }
 
@@ -167,9 +167,9 @@ uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint ste
   return uint64_t(std::ceil(seconds / double(scene.dt))) * (steps_a_contact / coarsest);
 }
 
-bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out) {
+bool use_sums(Motion& motion, ImpulseSums sums, std::vector<std::string>& left_out) {
   try {
-    backend.sum_impulses(sums);
+    motion.sum_impulses(sums);
     return true;
   } catch (const std::invalid_argument& lacking) {
     if (!std::ranges::count(left_out, lacking.what())) left_out.push_back(lacking.what());

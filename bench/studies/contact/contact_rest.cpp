@@ -26,30 +26,30 @@ uint64_t spheres_of_layers(uint64_t fewest, uint64_t layers) {
   return n;
 }
 
-void go_on(Backend& backend, Scene& scene, const MotionState& from, double drag, bool sleeping = true) {
+void go_on(Motion& motion, Scene& scene, const MotionState& from, double drag, bool sleeping = true) {
   scene.contact.drag = float(drag / double(scene.dt));
   scene.contact.sleeping = sleeping;
-  backend.resume(scene, from);
+  motion.resume(scene, from);
 }
 
-MotionState take_state(Backend& backend, Scene& scene) {
-  Backend::State now = current_state(backend);
+MotionState take_state(Motion& motion, Scene& scene) {
+  Motion::State now = current_state(motion);
   scene.positions = std::move(now.positions), scene.velocities = std::move(now.velocities);
-  return backend.save();
+  return motion.save();
 }
 
-double unmoved_share(Backend& backend, const MotionState& before, uint64_t n) {
-  backend.move();
-  const std::vector<uint> after = current_state(backend).wide;
+double unmoved_share(Motion& motion, const MotionState& before, uint64_t n) {
+  motion.move();
+  const std::vector<uint> after = current_state(motion).wide;
   std::vector<uint> moved(n, 0);
   for (uint64_t k = 0; k < before.wide.size(); ++k)
     if (before.wide[k] != after[k]) moved[k / 2 % n] = 1;
   return double(std::ranges::count(moved, 0u)) / double(n);
 }
 
-ContactStatistics statistics_of(Backend& backend, const Scene& scene, const std::vector<uint>& wide) {
-  backend.collide({.want_pairs = true});
-  return contact_statistics(scene, wide, backend.pairs(), 0);
+ContactStatistics statistics_of(Search& search, const Scene& scene, const std::vector<uint>& wide) {
+  search.collide({.want_pairs = true});
+  return contact_statistics(scene, wide, search.pairs(), 0);
 }
 
 double weight_of(const Scene& scene) {
@@ -94,12 +94,12 @@ RestStart come_to_rest(Backend& backend, const RestPlan& plan, SettledBed& bed, 
 // Checks that all backends give the same bits, with sleeping spheres and without.
 void compare_at_rest(Session& session, const std::vector<Backend*>& backends, RestStart& start, double drag) {
   const SceneOptions options{.name = "bed", .n = start.scene.size()};
-  std::optional<Backend::State> expected;
+  std::optional<Motion::State> expected;
   for (Backend* backend : backends)
     for (const bool sleeping : {false, true}) {
       go_on(*backend, start.scene, start.state, drag, sleeping);
       for (uint64_t step = 0; step < rest_steps_compared; ++step) backend->move();
-      Backend::State state = current_state(*backend);
+      Motion::State state = current_state(*backend);
       if (!expected) {
         expected = std::move(state);
         continue;
@@ -112,7 +112,7 @@ void compare_at_rest(Session& session, const std::vector<Backend*>& backends, Re
 
 std::vector<RestSteps> time_steps(Session& session, const ContactPlan& plan, const std::vector<Backend*>& backends,
                                   RestStart& start, double drag, Progress& progress) {
-  const auto step = [](Backend& backend) { backend.move(); };
+  const auto step = [](Motion& motion) { motion.move(); };
   const auto all_steps = [&](Backend& backend, uint64_t times) {
     for (uint64_t k = 0; k < times * plan.rest.steps_averaged; ++k) backend.move();
   };

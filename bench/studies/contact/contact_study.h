@@ -173,7 +173,7 @@ json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
 // Makes the backend use these sums from the next step on. If it lacks them, returns false and adds the reason to
 // `left_out` once.
-bool use_sums(Backend& backend, ImpulseSums sums, std::vector<std::string>& left_out);
+bool use_sums(Motion& motion, ImpulseSums sums, std::vector<std::string>& left_out);
 
 // Makes each run on every backend. Throws DifferenceFound if two backends differ in any bit, unless the sums depend on
 // the order of atomics.

@@ -14,7 +14,7 @@ namespace {
 constexpr uint64_t steps_compared = 100;  // before the costs are timed
 
 std::function<void(Backend&)> step_by(ImpulseSums sums) {
-  return [sums](Backend& backend) { backend.sum_impulses(sums), backend.move(); };
+  return [sums](Motion& motion) { motion.sum_impulses(sums), motion.move(); };
 }
 
 Scene gas_scene(const ContactPlan& plan, uint64_t n) {
@@ -26,11 +26,11 @@ Scene gas_scene(const ContactPlan& plan, uint64_t n) {
 // Checks that all backends give the same bits. Not for sums that depend on the order of atomics.
 void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums) {
   const SceneOptions options{.name = "gas", .n = scene.size()};
-  std::optional<Backend::State> expected;
+  std::optional<Motion::State> expected;
   for (Backend* backend : backends) {
     backend->upload(scene);
     for (uint64_t step = 0; step < steps_compared; ++step) step_by(sums)(*backend);
-    Backend::State state = current_state(*backend);
+    Motion::State state = current_state(*backend);
     if (!expected) {
       expected = std::move(state);
       continue;

@@ -2,7 +2,7 @@
 // Finds colliding pairs on the CPU.
 #pragma once
 
-#include "common/backend/backend.h"
+#include "common/backend/search.h"
 
 namespace spherepair {
 

@@ -120,8 +120,8 @@ void DeviceMotion::evaluate_state() {
   evaluated_ = current_ = true;
 }
 
-Backend::State DeviceMotion::state() {
-  Backend::State state{context_.buffers.read<vec4>(SLOT_POSITION, context_.n), {}, {}};
+Motion::State DeviceMotion::state() {
+  Motion::State state{context_.buffers.read<vec4>(SLOT_POSITION, context_.n), {}, {}};
   const bool in_buffer = motion_.precision == Precision::float32 || motion_.precision == Precision::fixed;
   if (in_buffer) state.velocities = context_.buffers.read<vec4>(SLOT_VELOCITY, context_.n);
   if (motion_.precision == Precision::float32) return state;

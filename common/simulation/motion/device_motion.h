@@ -33,7 +33,7 @@ class DeviceMotion {
 
   bool moved() const { return moved_; }            // since the scene's start; true after a resume
   bool state_current() const { return current_; }  // state() may be called
-  Backend::State state();
+  Motion::State state();
   MotionState save();
 
  private:

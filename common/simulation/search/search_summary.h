@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/backend/backend.h"
+#include "common/backend/collide_options.h"
 
 namespace spherepair {
 
