@@ -20,6 +20,8 @@ LISTS = [
     mutant("spheres are as large as in real numbers", "common/lists/list_spheres.cpp", "+ 0x1p-25;", ";", "Lists"),
     mutant("a call keeps its OpenGL context", "glsl/gl_device.cpp", "noexcept override { context_.leave(); }", "noexcept override {}",
            "CCalls"),
+    mutant("bindings of OpenGL are the process's", "glsl/gl_device.cpp", "BufferHandles bound_{};", "inline static BufferHandles bound_{};",
+           "TwoBackends"),
     mutant("too short columns are written", "api/c/library.cpp", "if (!context->message.empty()) return SP_E_CAPACITY;", "", "CCalls"),
     mutant("strides of columns are ignored", "api/c/arrays.h", "column * array.column_stride", "column", "CCalls"),
     mutant("a Lattice is read by columns", "bench/spheres/xyz_columns.cpp", "box.rows[k / 3][k % 3]", "box.rows[k % 3][k / 3]",
