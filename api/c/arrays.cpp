@@ -14,10 +14,11 @@ constexpr int64_t type_sizes[] = {4, 8, 4, 8, 1};
 template <typename Number, typename Element>
 std::vector<Number> read(const sp_array& array) {
   std::vector<Number> numbers(size_t(array.rows) * size_t(array.columns));
-#pragma omp parallel for schedule(static) if (array.rows > 1 << 14)
-  for (int64_t row = 0; row < array.rows; ++row)
-    for (int64_t column = 0; column < array.columns; ++column)
-      numbers[size_t(row * array.columns + column)] = Number(element<Element>(array, row, column));
+  in_shares(0, array.rows, [&](int64_t begin, int64_t end) {
+    for (int64_t row = begin; row < end; ++row)
+      for (int64_t column = 0; column < array.columns; ++column)
+        numbers[size_t(row * array.columns + column)] = Number(element<Element>(array, row, column));
+  });
   return numbers;
 }
 
@@ -81,13 +82,14 @@ std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, 
   return read<uint8_t, uint8_t>(array);
 }
 
-std::vector<Point3> read_points(const sp_array& array, const std::string& name) {
+std::vector<Point3> read_points(const sp_array& array, const std::string& name, std::vector<Point3> points) {
   check_array(array, name, 3, {SP_F32, SP_F64});
-  std::vector<Point3> points(size_t(array.rows));
+  points.resize(size_t(array.rows));
   const auto read_as = [&]<typename Element>(Element) {
-#pragma omp parallel for schedule(static) if (array.rows > 1 << 14)
-    for (int64_t row = 0; row < array.rows; ++row)
-      for (int64_t axis = 0; axis < 3; ++axis) points[size_t(row)][size_t(axis)] = element<Element>(array, row, axis);
+    in_shares(0, array.rows, [&](int64_t begin, int64_t end) {
+      for (int64_t row = begin; row < end; ++row)
+        for (int64_t axis = 0; axis < 3; ++axis) points[size_t(row)][size_t(axis)] = element<Element>(array, row, axis);
+    });
   };
   if (array.type == SP_F32)
     read_as(float());

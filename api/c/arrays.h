@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/lists/list_problem.h"
+#include "common/lists/list_systems.h"
 #include "include/spherepair/spherepair.h"
 
 namespace spherepair {
@@ -32,7 +32,8 @@ using ReadDevice = std::function<void(const void* from, void* to, uint64_t bytes
 // The same array in the host's memory: itself, or a copy that `keep` owns.
 sp_array on_host(const sp_array& array, const ReadDevice& read, std::vector<std::byte>& keep);
 
-std::vector<Point3> read_points(const sp_array& array, const std::string& name);
+// In the memory of `points`, whose contents are lost.
+std::vector<Point3> read_points(const sp_array& array, const std::string& name, std::vector<Point3> points = {});
 std::vector<double> read_numbers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<int64_t> read_integers(const sp_array& array, const std::string& name, int64_t columns);
 std::vector<uint8_t> read_flags(const sp_array& array, const std::string& name, int64_t columns);
@@ -47,10 +48,11 @@ Element& element(const sp_array& array, int64_t row, int64_t column = 0) {
 template <typename Value>
 void write_array(const sp_array& array, int64_t rows, int64_t columns, Value value) {
   const auto write = [&]<typename Element>(Element) {
-#pragma omp parallel for schedule(static) if (rows > 1 << 14)
-    for (int64_t row = 0; row < rows; ++row)
-      for (int64_t column = 0; column < columns; ++column)
-        element<Element>(array, row, column) = Element(value(row, column));
+    in_shares(0, rows, [&](int64_t begin, int64_t end) {
+      for (int64_t row = begin; row < end; ++row)
+        for (int64_t column = 0; column < columns; ++column)
+          element<Element>(array, row, column) = Element(value(row, column));
+    });
   };
   switch (array.type) {
     case SP_F32:

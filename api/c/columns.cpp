@@ -16,6 +16,13 @@ void check_column(const sp_array& array, const char* name, int64_t columns, std:
   on_device ? check_shape(array, name, columns, types) : check_array(array, name, columns, types);
 }
 
+void write_first(const PairRows& list, const sp_array& to) {
+  const auto write = [&]<typename Element>(Element) {
+    list.for_pairs([&](int64_t row, int64_t k) { element<Element>(to, k) = Element(row); });
+  };
+  to.type == SP_I32 ? write(int32_t()) : write(int64_t());
+}
+
 }  // namespace
 
 void check_columns(const sp_pairs& pairs, bool on_device) {
@@ -46,24 +53,23 @@ void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message) {
     message = fmt::format("offsets has {} rows, but needs {}", pairs.offsets.rows, firsts + 1);
 }
 
-void write_list(const ListProblem& problem, const std::vector<ListedPair>& list, const sp_pairs& to) {
-  const int64_t count = int64_t(list.size());
-  if (to.first.data) write_array(to.first, count, 1, [&](int64_t row, int64_t) { return list[row].first; });
-  if (to.second.data) write_array(to.second, count, 1, [&](int64_t row, int64_t) { return list[row].second; });
-  if (to.shifts.data) write_array(to.shifts, count, 3, [&](int64_t row, int64_t k) { return list[row].shift[k]; });
-  if (to.offsets.data) {
-    const std::vector<int64_t> offsets = offsets_of(list, problem.firsts().size());
-    write_array(to.offsets, int64_t(offsets.size()), 1, [&](int64_t row, int64_t) { return offsets[row]; });
-  }
+void write_list(const ListProblem& problem, const PairRows& list, const sp_pairs& to) {
+  if (to.first.data) write_first(list, to.first);
+  if (to.second.data)
+    write_array(to.second, list.count(), 1, [&](int64_t k, int64_t) { return list.second[size_t(k)]; });
+  if (to.shifts.data)
+    write_array(to.shifts, list.count(), 3, [&](int64_t k, int64_t axis) { return list.shift(k)[size_t(axis)]; });
+  if (to.offsets.data)
+    write_array(to.offsets, list.rows() + 1, 1, [&](int64_t row, int64_t) { return list.offsets[size_t(row)]; });
   if (!to.vectors.data && !to.distances.data) return;
   const PointSystems systems(problem.firsts());
-#pragma omp parallel for schedule(static) if (count > 1 << 14)
-  for (int64_t row = 0; row < count; ++row) {
-    const Point3 way = displacement(problem, problem.boxes[systems[list[row].first]], list[row]);
+  list.for_pairs([&](int64_t row, int64_t k) {
+    const ListedPair pair = {uint32_t(row), list.second[size_t(k)], list.shift(k)};
+    const Point3 way = displacement(problem, problem.boxes[systems[uint64_t(row)]], pair);
     if (to.vectors.data)
-      for (int64_t axis = 0; axis < 3; ++axis) element<double>(to.vectors, row, axis) = way[size_t(axis)];
-    if (to.distances.data) element<double>(to.distances, row) = length(way);
-  }
+      for (int64_t axis = 0; axis < 3; ++axis) element<double>(to.vectors, k, axis) = way[size_t(axis)];
+    if (to.distances.data) element<double>(to.distances, k) = length(way);
+  });
 }
 
 }  // namespace spherepair

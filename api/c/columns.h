@@ -3,9 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "common/lists/displacement.h"
+#include "common/lists/pair_rows.h"
 #include "include/spherepair/spherepair.h"
 
 namespace spherepair {
@@ -17,6 +16,6 @@ void check_columns(const sp_pairs& pairs, bool on_device);
 void check_room(const sp_pairs& pairs, int64_t firsts, std::string& message);
 
 // Writes the list into the columns that have data. Vectors and distances use the same displacements.
-void write_list(const ListProblem& problem, const std::vector<ListedPair>& list, const sp_pairs& to);
+void write_list(const ListProblem& problem, const PairRows& list, const sp_pairs& to);
 
 }  // namespace spherepair

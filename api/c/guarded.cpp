@@ -5,6 +5,7 @@
 
 #include "api/open.h"
 #include "common/device/device.h"
+#include "common/scene/host_buffer.h"
 
 namespace spherepair {
 namespace {
@@ -60,7 +61,9 @@ void close_for_calls(std::unique_ptr<Backend>& backend) noexcept {
 
 OwnedPairs::OwnedPairs(int64_t pairs, int64_t firsts, uint32_t wanted) : sp_pairs{} {
   make_columns(pairs, firsts, wanted, host_memory, 0, [&](uint64_t bytes) {
-    return memory_.emplace_back(new std::byte[bytes], std::default_delete<std::byte[]>()).get();
+    void* const memory = memory_.emplace_back(new std::byte[bytes], std::default_delete<std::byte[]>()).get();
+    advise_large_pages(memory, bytes);
+    return memory;
   });
 }
 

@@ -9,6 +9,8 @@
 #include "api/c/guarded.h"
 #include "api/c/problem_of.h"
 #include "api/open.h"
+#include "common/lists/device_lists.h"
+#include "common/lists/host_lists.h"
 #include "common/lists/pair_list.h"
 
 using namespace spherepair;
@@ -27,20 +29,30 @@ struct sp_context {
   std::unique_ptr<Backend> backend;
   std::optional<DeviceCalls> device_calls;
   std::optional<DeviceLists> lists;  // lists of the host's arrays, made on a device
+  std::optional<HostLists> host_lists;
+  // Of the last call, for their memory: the system takes milliseconds to give millions of points new pages.
+  ListProblem problem;
+  PairRows rows;
   std::string message;
 };
 
 namespace {
 
-std::vector<ListedPair> list_in_thread(sp_context& context, const ListProblem& problem) {
+// Makes the list of context.problem in context.rows.
+const PairRows& list_in_thread(sp_context& context, bool with_shifts) {
   const InThread in_thread(*context.backend);
+  const ListProblem& problem = context.problem;
+  PairRows& rows = context.rows;
   check_problem(problem);
   Device* const device = context.backend->device();
   const bool makes_lists = device && device->capabilities().makes_lists;
   if (makes_lists && !context.lists) context.lists.emplace(*device);
   if (makes_lists)
-    if (auto list = context.lists->list(problem)) return std::move(*list);
-  return list_by_search(*context.backend, problem);
+    if (auto list = context.lists->list(problem)) return rows = std::move(*list);
+  const int threads = list_threads(*context.backend);
+  if (threads && !context.host_lists) context.host_lists.emplace(threads);
+  if (threads && context.host_lists->list(problem, with_shifts, rows)) return rows;
+  return rows = list_by_search(*context.backend, problem);
 }
 
 }  // namespace
@@ -88,7 +100,8 @@ sp_status sp_count(sp_context* context, const sp_problem* problem, int64_t* coun
       *count = context->on_device().count(*problem);
       return SP_OK;
     }
-    *count = int64_t(list_in_thread(*context, problem_of(*problem)).size());
+    context->problem = problem_of(*problem, {}, std::move(context->problem));
+    *count = list_in_thread(*context, false).count();
     return SP_OK;
   });
 }
@@ -104,10 +117,10 @@ sp_status sp_list(sp_context* context, const sp_problem* problem, uint32_t wante
       *out = context->on_device().list(*problem, wanted).release();
       return SP_OK;
     }
-    const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_in_thread(*context, asked);
-    auto owned = std::make_unique<OwnedPairs>(int64_t(list.size()), int64_t(asked.firsts().size()), wanted);
-    write_list(asked, list, *owned);
+    context->problem = problem_of(*problem, {}, std::move(context->problem));
+    const PairRows& list = list_in_thread(*context, wanted & (SP_SHIFTS | SP_VECTORS | SP_DISTANCES));
+    auto owned = std::make_unique<OwnedPairs>(list.count(), list.rows(), wanted);
+    write_list(context->problem, list, *owned);
     *out = owned.release();
     return SP_OK;
   });
@@ -122,12 +135,13 @@ sp_status sp_fill(sp_context* context, const sp_problem* problem, sp_pairs* pair
     check_columns(*pairs, is_on_device(*problem));
     if (is_on_device(*problem))
       return context->on_device().fill(*problem, *pairs, context->message) ? SP_OK : SP_E_CAPACITY;
-    const ListProblem asked = problem_of(*problem);
-    const std::vector<ListedPair> list = list_in_thread(*context, asked);
-    pairs->count = int64_t(list.size());
-    check_room(*pairs, int64_t(asked.firsts().size()), context->message);
+    context->problem = problem_of(*problem, {}, std::move(context->problem));
+    const bool with_shifts = pairs->shifts.data || pairs->vectors.data || pairs->distances.data;
+    const PairRows& list = list_in_thread(*context, with_shifts);
+    pairs->count = list.count();
+    check_room(*pairs, list.rows(), context->message);
     if (!context->message.empty()) return SP_E_CAPACITY;
-    write_list(asked, list, *pairs);
+    write_list(context->problem, list, *pairs);
     return SP_OK;
   });
 }

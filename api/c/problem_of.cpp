@@ -25,14 +25,14 @@ std::vector<uint64_t> offsets_from(const sp_array& array, const std::string& nam
 }
 
 PointSet set_of(const sp_array& points, const sp_array& radii, const sp_array& offsets, const std::string& prefix,
-                bool on_device) {
+                bool on_device, std::vector<Point3> memory) {
   PointSet set;
   const std::string name = prefix.empty() ? "positions" : "queries";
   if (on_device) {
     check_shape(points, name, 3, {SP_F32, SP_F64});
     if (is_given(radii)) check_shape(radii, prefix + "radii", 1, {SP_F32, SP_F64});
   } else {
-    set.points = read_points(points, name);
+    set.points = read_points(points, name, std::move(memory));
     if (is_given(radii)) set.radii = read_numbers(radii, prefix + "radii", 1);
   }
   if (is_given(radii) && radii.rows != points.rows)
@@ -82,7 +82,7 @@ std::vector<std::array<uint32_t, 2>> exclusions_of(const sp_array& array) {
 
 }  // namespace
 
-ListProblem problem_of(const sp_problem& caller, const ReadDevice& read) {
+ListProblem problem_of(const sp_problem& caller, const ReadDevice& read, ListProblem last) {
   if (caller.size != sizeof(sp_problem))
     refuse(fmt::format("problem.size is {}, but sizeof(sp_problem) is {}: the program was compiled with another header",
                        caller.size, sizeof(sp_problem)));
@@ -94,13 +94,14 @@ ListProblem problem_of(const sp_problem& caller, const ReadDevice& read) {
       *array = on_host(*array, read, kept[k++]);
   const bool on_device = bool(read);
   ListProblem problem;
-  problem.set = set_of(given.positions, given.radii, given.offsets, "", on_device);
+  problem.set = set_of(given.positions, given.radii, given.offsets, "", on_device, std::move(last.set.points));
   problem.asks = is_given(given.queries) || given.queries.columns != 0;
   problem.half = flag(given.half, "half");
   problem.inclusive = flag(given.inclusive, "inclusive");
   problem.self_pairs = flag(given.self_pairs, "self_pairs");
   if (problem.asks) {
-    problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_", on_device);
+    problem.queries = set_of(given.queries, given.query_radii, given.query_offsets, "query_", on_device,
+                             std::move(last.queries.points));
     if (problem.half || problem.self_pairs) refuse("half and self_pairs must be 0 where there are queries");
     if (is_given(given.radii) != is_given(given.query_radii))
       refuse("radii and query_radii go together: give both or neither");

@@ -156,15 +156,12 @@ void DeviceLists::write_points(const ListProblem& problem) {
   context_.buffers.write(SLOT_LIST_GIVEN, given);
 }
 
-std::vector<ListedPair> DeviceLists::read_list(uint64_t pairs) {
-  const auto begins = context_.buffers.read<int64_t>(SLOT_LIST_BEGIN, uint64_t(sent_.state.looking) + 1);
-  const auto seconds = context_.buffers.read<uint>(SLOT_LIST_SECOND, pairs);
-  const auto shifts = context_.buffers.read<Shift>(SLOT_LIST_SHIFT, pairs);
-  std::vector<ListedPair> list(pairs);
-#pragma omp parallel for schedule(static) if (int64_t(sent_.state.looking) > share_from)
-  for (int64_t i = 0; i < int64_t(sent_.state.looking); ++i)
-    for (auto k = size_t(begins[size_t(i)]); k < size_t(begins[size_t(i) + 1]); ++k)
-      list[k] = {uint32_t(i), seconds[k], shifts[k]};
+PairRows DeviceLists::read_list(uint64_t pairs) {
+  PairRows list;
+  list.offsets = context_.buffers.read<int64_t>(SLOT_LIST_BEGIN, uint64_t(sent_.state.looking) + 1);
+  list.second.resize(pairs), list.shifts.resize(pairs), list.shifted = true;
+  context_.buffers.read(SLOT_LIST_SECOND, list.second.data(), 0, pairs * sizeof(uint));
+  context_.buffers.read(SLOT_LIST_SHIFT, list.shifts.data(), 0, pairs * sizeof(Shift));
   return list;
 }
 
@@ -184,8 +181,10 @@ void DeviceLists::refuse(const Found& found) {
       "or copy the positions to the host");
 }
 
-std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& problem) {
-  if (problem.set.size() == 0 || problem.firsts().size() == 0) return std::vector<ListedPair>();
+std::optional<PairRows> DeviceLists::list(const ListProblem& problem) {
+  PairRows none;
+  none.offsets.resize(problem.firsts().size() + 1);
+  if (problem.set.size() == 0 || problem.firsts().size() == 0) return none;
   const uint64_t largest = context_.device.capabilities().largest_buffer;
   if ((problem.set.size() + problem.queries.size()) * sizeof(ListLook) > largest) return std::nullopt;
   begin(problem);
@@ -194,7 +193,7 @@ std::optional<std::vector<ListedPair>> DeviceLists::list(const ListProblem& prob
   const Found counted = found();
   if (counted.wide || uint64_t(counted.pairs) * sizeof(Shift) > largest) return std::nullopt;
   if (counted.far) refuse(counted);
-  if (counted.pairs == 0) return std::vector<ListedPair>();
+  if (counted.pairs == 0) return none;
   set_columns(LIST_WANTS_SECOND | LIST_WANTS_SHIFTS, counted.pairs);
   fill();
   return read_list(uint64_t(counted.pairs));

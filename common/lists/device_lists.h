@@ -9,7 +9,7 @@
 
 #include "common/device/context.h"
 #include "common/lists/device_problem.h"
-#include "common/lists/displacement.h"
+#include "common/lists/pair_rows.h"
 
 namespace spherepair {
 
@@ -19,7 +19,7 @@ class DeviceLists {
 
   // Lists a problem that has been checked. None: the reach spans more images than the kernels can number, or a buffer
   // would be larger than the device allows.
-  std::optional<std::vector<ListedPair>> list(const ListProblem& problem);
+  std::optional<PairRows> list(const ListProblem& problem);
 
   // The steps of list(). begin() reads the offsets of a problem's sets, not their points: those go into points(), a
   // dvec4 each with the radius in w, queries last. fill() writes the wanted columns (LIST_WANTS_*) if `room` holds all
@@ -54,7 +54,7 @@ class DeviceLists {
   void prepare_systems();
   uint64_t looking_groups() const { return ceil_div(looking() << sent_.state.row_bits, LIST_BLOCK); }
   void launch(Kernel kernel, uint block, uint64_t groups);
-  std::vector<ListedPair> read_list(uint64_t pairs);
+  PairRows read_list(uint64_t pairs);
 
   DeviceContext context_;
   DeviceProblem sent_;         // by begin() and set_columns()

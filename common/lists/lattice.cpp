@@ -10,9 +10,7 @@ namespace {
 
 // A box whose volume is this part of the product of its edges has duals with a relative error of about 2^-53 over it:
 // far below the slack of spans().
-constexpr double flattest = 1e-7, slack = 1e-6;
-
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+constexpr double flattest = 1e-7;
 
 Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -62,29 +60,8 @@ Lattice::Lattice(const ListBox& box, uint64_t system) : box_(box) {
     axes_[k] = box.periodic[k] ? box.rows[k] : rows[k];
     const double edge = box.periodic[k] ? std::sqrt(dot(box.rows[k], box.rows[k])) : 1;
     dual_[k] = scaled(cross(rows[(k + 1) % 3], rows[(k + 2) % 3]), 1 / (volume * edge));
+    dual_sizes_[k] = std::sqrt(dot(dual_[k], dual_[k]));
   }
-}
-
-Point3 Lattice::fraction(const Point3& point) const {
-  Point3 fraction = {};
-  for (size_t k = 0; k < 3; ++k)
-    if (box_.periodic[k]) fraction[k] = dot(point, dual_[k]);
-  return fraction;
-}
-
-Point3 Lattice::spans(double distance) const {
-  Point3 spans = {};
-  for (size_t k = 0; k < 3; ++k)
-    if (box_.periodic[k]) spans[k] = distance * std::sqrt(dot(dual_[k], dual_[k])) * (1 + slack) + slack;
-  return spans;
-}
-
-Point3 Lattice::moved(const Point3& point, const Shift& shift) const {
-  Point3 to = point;
-  for (size_t k = 0; k < 3; ++k)
-    if (shift[k] != 0)
-      for (size_t axis = 0; axis < 3; ++axis) to[axis] += shift[k] * box_.rows[k][axis];
-  return to;
 }
 
 }  // namespace spherepair

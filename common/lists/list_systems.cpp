@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace spherepair {
 namespace {
@@ -23,23 +24,25 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSy
                             const std::vector<Lattice>& lattices, PointCells& cells) {
   std::vector<Point3> inside(set.points);
   cells.resize(set.size());
-  int64_t far = -1;
-#pragma omp parallel for schedule(static) reduction(max : far) if (int64_t(inside.size()) > share_from)
-  for (int64_t i = 0; i < int64_t(inside.size()); ++i) {
-    const Lattice& lattice = lattices[systems[i]];
-    if (lattice.box().is_open()) continue;
-    const Point3 at = lattice.fraction(inside[i]);
-    Shift back;
-    for (size_t k = 0; k < 3; ++k) {
-      if (!(std::abs(at[k]) < most_cells))
-        far = i;
-      else
-        cells.at(i)[k] = int32_t(std::floor(at[k]));
-      back[k] = -cells.at(i)[k];
+  std::atomic<int64_t> far = -1;
+  in_shares(0, int64_t(inside.size()), [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      const Lattice& lattice = lattices[systems[i]];
+      if (lattice.box().is_open()) continue;
+      const Point3 at = lattice.fraction(inside[i]);
+      Shift back;
+      for (size_t k = 0; k < 3; ++k) {
+        if (!(std::abs(at[k]) < most_cells))
+          for (int64_t last = far; last < i && !far.compare_exchange_weak(last, i);) {
+          }
+        else
+          cells.at(i)[k] = floor_of(at[k]);
+        back[k] = -cells.at(i)[k];
+      }
+      inside[i] = lattice.moved(inside[i], back);
     }
-    inside[i] = lattice.moved(inside[i], back);
-  }
-  if (far >= 0) throw too_far(name, uint64_t(far));
+  });
+  if (far >= 0) throw too_far(name, uint64_t(far.load()));
   return inside;
 }
 
@@ -47,8 +50,17 @@ ListError too_far(const char* name, uint64_t i) {
   return {ListFault::range, fmt::format("{}[{}] lies more than 2^30 boxes away from the box at the origin", name, i)};
 }
 
-double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {
-  return (set.radii.empty() ? problem.cutoff / 2 : set.radii[i]) + problem.skin / 2;
+Exclusions::Exclusions(const ListProblem& problem) : ordered_(problem.asks), pairs_(problem.exclusions) {
+  for (auto& [first, second] : pairs_)
+    if (!ordered_ && first > second) std::swap(first, second);
+  std::ranges::sort(pairs_);
+}
+
+bool Exclusions::has(const ListedPair& pair) const {
+  if (pairs_.empty()) return false;
+  std::array<uint32_t, 2> ids = {pair.first, pair.second};
+  if (!ordered_ && ids[0] > ids[1]) std::swap(ids[0], ids[1]);
+  return std::ranges::binary_search(pairs_, ids);
 }
 
 }  // namespace spherepair

@@ -5,11 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/lists/displacement.h"
 #include "common/lists/lattice.h"
 
 namespace spherepair {
 
 constexpr int64_t share_from = 1 << 14;  // points from which on several threads share the work
+
+// Runs work(begin, end), which may not throw, for shares of the numbers from `first` to before `last`. If there are
+// few, or little work, they are one share without OpenMP, whose regions cost half a microsecond each.
+template <typename Work>
+void in_shares(int64_t first, int64_t last, int64_t items, Work work) {
+  if (items <= share_from) return work(first, last);
+  const int64_t share = std::clamp<int64_t>((last - first) / 64, 1, 1 << 12);
+#pragma omp parallel for schedule(static)
+  for (int64_t begin = first; begin < last; begin += share) work(begin, std::min(begin + share, last));
+}
+template <typename Work>
+void in_shares(int64_t first, int64_t last, Work work) {
+  in_shares(first, last, last - first, work);
+}
 
 struct PointRange {
   Point3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -47,8 +62,9 @@ class PointCells {
 // A system: the ranges of the points that look for pairs, and their reach.
 struct System {
   PointRange inside, fractions;
-  double reach = 0;    // of the two largest spheres
-  double radius = 0;   // the largest that looks
+  double reach = 0;   // of the two largest spheres
+  double radius = 0;  // the largest that looks
+  double mean_reach = 0;
   double rounded = 0;  // how far a coordinate of an image can be from its real number
 };
 
@@ -59,7 +75,21 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSy
 // Of a point of the set with that name.
 ListError too_far(const char* name, uint64_t i);
 
+// The pairs to leave out.
+class Exclusions {
+ public:
+  explicit Exclusions(const ListProblem& problem);
+  bool empty() const { return pairs_.empty(); }
+  bool has(const ListedPair& pair) const;
+
+ private:
+  const bool ordered_;  // of query and point; else in either order
+  std::vector<std::array<uint32_t, 2>> pairs_;
+};
+
 // A point's share of the reach.
-double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i);
+inline double radius_of(const ListProblem& problem, const PointSet& set, uint64_t i) {
+  return (set.radii.empty() ? problem.cutoff / 2 : set.radii[i]) + problem.skin / 2;
+}
 
 }  // namespace spherepair

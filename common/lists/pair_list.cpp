@@ -6,6 +6,7 @@
 
 #include "common/backend/cpu_team.h"
 #include "common/lists/device_lists.h"
+#include "common/lists/host_lists.h"
 #include "common/lists/list_spheres.h"
 
 namespace spherepair {
@@ -22,49 +23,40 @@ std::vector<Pair> colliding_pairs(Search& search, std::vector<vec4> spheres, con
   return search.pairs();
 }
 
-Shift less(const Shift& a, const Shift& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Shift sum(const Shift& a, const Shift& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
 class Lister {
  public:
-  Lister(const ListProblem& problem, const ListSpheres& plan) : problem_(problem), plan_(plan) {
-    for (auto [first, second] : problem.exclusions) {
-      if (!problem.asks && first > second) std::swap(first, second);
-      excluded_.push_back({first, second});
-    }
-    std::ranges::sort(excluded_);
-  }
+  Lister(const ListProblem& problem, const ListPlan& plan)
+      : problem_(problem), plan_(plan), looking_(problem.firsts().size()), excluded_(problem) {}
 
   void add_points_themselves(std::vector<ListedPair>& list) const {
     for (uint32_t i = 0; i < problem_.set.size(); ++i)
-      if (const ListedPair self{i, i, {}}; accepts(self, plan_.systems[i])) list.push_back(self);
+      if (const ListedPair self{i, i, {}}; accepts(self, plan_.systems()[i])) list.push_back(self);
   }
 
   // What `add` reads of the pair's second sphere.
   void prefetch(const Pair& pair) const {
-    if (pair.second >= plan_.looking) return __builtin_prefetch(&plan_.images[pair.second - plan_.looking]);
+    if (pair.second >= looking_) return __builtin_prefetch(&plan_.images()[pair.second - looking_]);
     if (problem_.asks) return;
     __builtin_prefetch(&problem_.set.points[pair.second]);
-    plan_.cells.prefetch(pair.second);
+    plan_.prefetch_cell(pair.second);
   }
 
   // Appends the listed pairs of two colliding spheres: 0, 1 or 2.
   void add(const Pair& pair, std::vector<ListedPair>& list) const {
-    const uint64_t looking = plan_.looking;
-    if (pair.first >= looking) return;  // two images
-    const uint32_t system = plan_.systems[pair.first];
-    if (pair.second < looking) {
-      if (problem_.asks || plan_.systems[pair.second] != system) return;
-      const ListedPair both{pair.first, pair.second, less(plan_.cells[pair.first], plan_.cells[pair.second])};
+    if (pair.first >= looking_) return;  // two images
+    const uint32_t system = plan_.systems()[pair.first];
+    if (pair.second < looking_) {
+      if (problem_.asks || plan_.systems()[pair.second] != system) return;
+      const ListedPair both{pair.first, pair.second, plan_.shift_of(pair.first, pair.second, {})};
       if (!accepts(both, system)) return;
       list.push_back(both);
-      if (!problem_.half) list.push_back({both.second, both.first, less({}, both.shift)});
+      const auto [x, y, z] = both.shift;
+      if (!problem_.half) list.push_back({both.second, both.first, {-x, -y, -z}});
       return;
     }
-    const PointImage& image = plan_.images[pair.second - looking];
+    const PointImage& image = plan_.images()[pair.second - looking_];
     if (image.system != system) return;
-    const ListedPair one{pair.first, image.point,
-                         sum(image.shift, less(plan_.first_cells[pair.first], plan_.cells[image.point]))};
+    const ListedPair one{pair.first, image.point, plan_.shift_of(pair.first, image.point, image.shift)};
     const bool of_other_half = one.first > one.second || (one.first == one.second && one.shift < Shift{});
     if (problem_.half && of_other_half) return;
     if (accepts(one, system)) list.push_back(one);
@@ -72,19 +64,13 @@ class Lister {
 
  private:
   bool accepts(const ListedPair& pair, uint32_t system) const {
-    return is_within_reach(problem_, problem_.boxes[system], pair) && !is_excluded(pair);
-  }
-
-  bool is_excluded(const ListedPair& pair) const {
-    if (excluded_.empty()) return false;
-    Pair ids{pair.first, pair.second};
-    if (!problem_.asks && ids.first > ids.second) std::swap(ids.first, ids.second);
-    return std::ranges::binary_search(excluded_, ids);
+    return is_within_reach(problem_, problem_.boxes[system], pair) && !excluded_.has(pair);
   }
 
   const ListProblem& problem_;
-  const ListSpheres& plan_;
-  std::vector<Pair> excluded_;
+  const ListPlan& plan_;
+  const uint64_t looking_;
+  const Exclusions excluded_;
 };
 
 std::vector<ListedPair> joined(const std::vector<std::vector<ListedPair>>& parts) {
@@ -127,16 +113,23 @@ std::vector<int64_t> offsets_of(const std::vector<ListedPair>& list, uint64_t fi
 
 std::vector<ListedPair> list_pairs(Search& search, const ListProblem& problem, CollideOptions options) {
   check_problem(problem);
-  if (Device* device = search.device();
-      device && device->capabilities().makes_lists && options.method == Method::automatic)
-    if (auto list = DeviceLists(*device).list(problem)) return std::move(*list);
-  return list_by_search(search, problem, options);
+  if (options.method == Method::automatic) {
+    if (Device* device = search.device(); device && device->capabilities().makes_lists)
+      if (const auto list = DeviceLists(*device).list(problem)) return list->pairs();
+    if (const int threads = list_threads(search))
+      if (PairRows list; HostLists(threads).list(problem, true, list)) return list.pairs();
+  }
+  return list_by_search(search, problem, options).pairs();
 }
 
-std::vector<ListedPair> list_by_search(Search& search, const ListProblem& problem, CollideOptions options) {
+int list_threads(const Search& search) {
+  return search.info().on_host ? std::stoi(search.info().details.at("threads")) : 0;
+}
+
+PairRows list_by_search(Search& search, const ListProblem& problem, CollideOptions options) {
   options.want_pairs = true;
-  ListSpheres plan = list_spheres(problem);
-  const std::vector<Pair> pairs = colliding_pairs(search, std::move(plan.spheres), options);
+  const ListPlan plan(problem);
+  const std::vector<Pair> pairs = colliding_pairs(search, list_spheres(problem, plan), options);
   const Lister lister(problem, plan);
   constexpr size_t share = 1 << 16, ahead = 16;  // pairs
   const auto shares = int64_t((pairs.size() + share - 1) / share);
@@ -155,7 +148,7 @@ std::vector<ListedPair> list_by_search(Search& search, const ListProblem& proble
   errors.rethrow();
   std::vector<ListedPair> list = joined(parts);
   if (problem.self_pairs) lister.add_points_themselves(list);
-  return sorted(std::move(list), problem.firsts().size());
+  return rows_of(sorted(std::move(list), problem.firsts().size()), problem.firsts().size());
 }
 
 }  // namespace spherepair
