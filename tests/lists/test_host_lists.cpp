@@ -100,6 +100,22 @@ TEST_P(HostListsOf, CellsDecideInRealNumbers) {
   EXPECT_EQ(first_difference(list(problem), list_by_rationals(problem, 0)), "");
 }
 
+// Two points each, a little more or less than the cutoff apart: float32 would get a half of them wrong.
+TEST_P(HostListsOf, RoundingToFloat32LosesNoPairAndAddsNone) {
+  Random random(96);
+  ListProblem problem = of_points({}, 1);
+  for (int i = 0; i < 260; ++i) {
+    const Point3 at = {random.uniform(0, 60), random.uniform(0, 60), random.uniform(0, 60)};
+    const double way = 1 + random.between(-3, 3) * 1e-9;
+    problem.set.points.push_back(at);
+    problem.set.points.push_back({at[0] + 0.6 * way, at[1], at[2] - 0.8 * way});
+  }
+  problem.set.offsets = {0, 520};
+  const std::vector<ListedPair> wanted = list_by_rationals(problem, 0);
+  EXPECT_GT(wanted.size(), 150u);
+  EXPECT_EQ(first_difference(list(problem), wanted), "");
+}
+
 TEST_P(HostListsOf, NoPointsOrFewOfThem) {
   for (const uint64_t count : {0, 1, 2})
     for (const bool half : {false, true})
