@@ -131,7 +131,7 @@ void ListPlan::images_of(uint64_t point, Add add) const {
   }
   const auto is_near = [&](const Point3& place) {
     bool near = true;
-    for (size_t k = 0; k < 3; ++k) near &= (place[k] >= lowest[k]) & (place[k] <= highest[k]);
+    for (size_t k = 0; k < 3; ++k) near = near && place[k] >= lowest[k] && place[k] <= highest[k];
     return near;
   };
   for (Shift shift = low; shift[0] <= high[0]; ++shift[0])
