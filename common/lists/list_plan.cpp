@@ -23,12 +23,13 @@ constexpr double most_images = 0x1p27;  // as many spheres as OpenGL's buffers h
 
 struct ListPlan::Measured {
   PointRange inside = {}, fractions = {};
-  double radius = 0, radii = 0;  // the largest, their sum
-  double largest = 0;            // of coordinates as given
-  Point3 cells = {};             // the farthest
+  double radius = 0, radii = 0, least = INFINITY;  // the largest, their sum, the smallest
+  double largest = 0;                              // of coordinates as given
+  Point3 cells = {};                               // the farthest
   void add(const Measured& other) {
     inside.add(other.inside), fractions.add(other.fractions);
-    radii += other.radii, radius = std::max(radius, other.radius), largest = std::max(largest, other.largest);
+    least = std::min(least, other.least), radii += other.radii, radius = std::max(radius, other.radius),
+    largest = std::max(largest, other.largest);
     for (size_t k = 0; k < 3; ++k) cells[k] = std::max(cells[k], other.cells[k]);
   }
 };
@@ -68,7 +69,7 @@ ListPlan::Measured ListPlan::measured(const PointSet& set, const std::vector<Poi
     for (int64_t i = begin; i < end; ++i) {
       own.inside.add(inside[i]);
       const double radius = radius_of(problem_, set, uint64_t(i));
-      own.radii += radius, own.radius = std::max(own.radius, radius);
+      own.least = std::min(own.least, radius), own.radii += radius, own.radius = std::max(own.radius, radius);
       for (const double x : set.points[i]) own.largest = std::max(own.largest, std::abs(x));
       if (is_open) continue;
       own.fractions.add(lattice.fraction(inside[i]));
@@ -94,7 +95,8 @@ void ListPlan::measure(size_t b) {
             .fractions = of_looking.fractions,
             .reach = of_looking.radius + of_points.radius,
             .radius = of_looking.radius,
-            .mean_reach = mean_of(of_looking, problem_.firsts()) + mean_of(of_points, problem_.set)};
+            .mean_reach = mean_of(of_looking, problem_.firsts()) + mean_of(of_points, problem_.set),
+            .least = std::min(of_looking.least, of_points.least)};
   // What the box's rows add to a coordinate at most when a point is wrapped and moved to an image.
   double shifts = 0;
   const Point3 spans = lattice.spans(system.reach);

@@ -50,6 +50,18 @@ ListError too_far(const char* name, uint64_t i) {
   return {ListFault::range, fmt::format("{}[{}] lies more than 2^30 boxes away from the box at the origin", name, i)};
 }
 
+Point3 middle_of(std::span<const Point3> points) {
+  Point3 middle = {};
+  for (size_t axis = 0; axis < 3 && !points.empty(); ++axis) {
+    std::vector<double> some;
+    for (size_t i = 0; i < points.size(); i += points.size() / 512 + 1) some.push_back(points[i][axis]);
+    const auto half = some.begin() + int64_t(some.size() / 2);
+    std::ranges::nth_element(some, half);
+    middle[axis] = *half;
+  }
+  return middle;
+}
+
 Exclusions::Exclusions(const ListProblem& problem) : ordered_(problem.asks), pairs_(problem.exclusions) {
   for (auto& [first, second] : pairs_)
     if (!ordered_ && first > second) std::swap(first, second);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "common/lists/displacement.h"
 #include "common/lists/lattice.h"
@@ -65,6 +66,7 @@ struct System {
   double reach = 0;   // of the two largest spheres
   double radius = 0;  // the largest that looks
   double mean_reach = 0;
+  double least = 0;    // the smallest radius
   double rounded = 0;  // how far a coordinate of an image can be from its real number
 };
 
@@ -74,6 +76,9 @@ std::vector<Point3> wrapped(const PointSet& set, const char* name, const PointSy
 
 // Of a point of the set with that name.
 ListError too_far(const char* name, uint64_t i);
+
+// The median of some of the points, axis by axis: it is among most of them, whatever lies far out.
+Point3 middle_of(std::span<const Point3> points);
 
 // The pairs to leave out.
 class Exclusions {
