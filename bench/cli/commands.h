@@ -38,9 +38,8 @@ struct PairsOptions {
   Verbosity verbosity = Verbosity::normal;
 };
 void add_pairs(CLI::App& app, CommandLine& line, Action& action);
-// Throw std::invalid_argument before any work for options that are wrong or that a periodic box excludes.
+// Throws std::invalid_argument before any work for options that are wrong.
 void check_pairs_options(const PairsOptions& options);
-void check_periodic_options(const PairsOptions& options);
 int pairs_command(const CommandLine& line, const PairsOptions& options);
 
 struct RenderOptions {

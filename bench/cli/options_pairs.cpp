@@ -4,8 +4,8 @@
 #include "bench/cli/commands.h"
 #include "bench/io/arguments.h"
 #include "bench/io/output_files.h"
-#include "bench/lists/listed_file.h"
 #include "bench/npy/rows_file.h"
+#include "bench/output/pair_file.h"
 #include "bench/spheres/sphere_formats.h"
 
 namespace spherepair {
@@ -23,8 +23,7 @@ void add_input(CLI::App& command, PairsOptions& options) {
   auto* radius = command.add_option("--radius", options.radius, "Radius of all spheres if the file has none");
   command
       .add_option("--cutoff", options.cutoff,
-                  "Find the pairs of points at most this far apart instead. The test is exact for the float32 points "
-                  "and the float64 cutoff; radii in the file are not used")
+                  "Find the pairs of points at most this far apart instead; radii in the file are not used")
       ->excludes(radius);
 }
 
@@ -63,7 +62,7 @@ void add_output(CLI::App& command, PairsOptions& options) {
 std::vector<std::string> output_files(const PairsOptions& options) {
   if (!options.csr) return {options.output_file};
   const NeighbourFiles files = neighbour_files(options.output_file, options.distances);
-  return {files.offsets, files.neighbours, files.distances};
+  return {files.offsets, files.neighbours, files.distances, files.shifts};
 }
 
 }  // namespace
@@ -85,13 +84,6 @@ void check_pairs_options(const PairsOptions& options) {
   files.write("--json", options.json_file);
   check_pair_file("--output", options.output_file);
   check_pair_file("--contacts", options.contacts_file);
-}
-
-void check_periodic_options(const PairsOptions& options) {
-  if (options.geometry)
-    throw std::invalid_argument(
-        "--geometry is not for periodic boxes yet: take --distances, which gives the image of j as well");
-  if (options.csr) OutputFiles().write("--output", neighbour_files(options.output_file, options.distances).shifts);
 }
 
 void add_pairs(CLI::App& app, CommandLine& line, Action& action) {

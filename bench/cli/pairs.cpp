@@ -6,31 +6,30 @@
 #include <cstdio>
 
 #include "bench/check/degrees.h"
-#include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
-#include "bench/lists/listed_file.h"
-#include "bench/lists/listed_spheres.h"
 #include "bench/measure/choice.h"
 #include "bench/npy/rows_file.h"
 #include "bench/output/pair_file.h"
 #include "bench/spheres/sphere_file.h"
+#include "common/lists/host_lists.h"
+#include "common/lists/pair_list.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
 namespace {
 
 struct Found {
-  Collisions totals;
+  std::vector<ListedPair> list;  // full with --csr, else half
+  uint64_t pairs = 0;            // of either: each counts once
+  Fingerprint fingerprint;
+  std::vector<uint> counts;  // neighbours of each sphere, images included
   Degrees degrees;
-  std::vector<uint> counts;
-  std::vector<Pair> pairs;
-  std::vector<ListedPair> listed;  // replaces `pairs` in a periodic box
-  uint64_t within_reach = 0;       // pairs that rounding to float32 may have decided
+  std::optional<MethodChoice> method;  // of the search; none: host threads made the list, row by row
 };
 
 struct Seconds {
@@ -42,7 +41,6 @@ struct PairsReport {
   const PairsOptions& options;
   SphereFile input;
   ChosenBackend chosen;
-  MethodChoice method = {};
   Found found;
   Seconds seconds;
 };
@@ -55,91 +53,76 @@ double seconds_of(Work work) {
 }
 
 SphereFile read_input(const PairsOptions& options, int threads) {
-  SphereFileOptions how = {.radius = options.radius,
-                           .frame = options.frame,
-                           .columns = options.columns,
-                           .decimal_comma = options.decimal_comma,
-                           .ignore_radii = options.cutoff.has_value(),
-                           .ignore_periodic = options.ignore_periodic,
-                           .take_periodic = true,
-                           .may_shift = true,
-                           .threads = threads};
-  if (options.cutoff) how.radius = radius_above(*options.cutoff);
-  SphereFile input = read_sphere_file(options.input_file, how);
-  if (options.cutoff) widen(input.rounding, *how.radius - *options.cutoff / 2);
+  SphereFile input =
+      read_sphere_file(options.input_file, {.radius = options.cutoff ? std::optional(0.0) : options.radius,
+                                            .frame = options.frame,
+                                            .columns = options.columns,
+                                            .decimal_comma = options.decimal_comma,
+                                            .ignore_radii = options.cutoff.has_value(),
+                                            .ignore_periodic = options.ignore_periodic,
+                                            .exact = true,
+                                            .threads = threads});
+  ListProblem& problem = input.given;
+  problem.half = !options.csr;
+  if (options.cutoff) problem.cutoff = *options.cutoff, problem.inclusive = true, problem.set.radii.clear();
   return input;
 }
 
-// Removes pairs that are farther apart than the cutoff: the search uses slightly larger spheres.
-void leave_pairs_beyond(double cutoff, std::span<const vec4> points, Found& found) {
-  std::erase_if(found.pairs, [&](const Pair& pair) {
-    if (is_within(pair, points, cutoff)) return false;
-    --found.counts[pair.first], --found.counts[pair.second];
-    return true;
-  });
-  if (found.pairs.size() == found.totals.pairs) return;
-  found.totals.pairs = found.pairs.size();
-  found.totals.colliding_spheres = found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
-  found.totals.fingerprint = fingerprint(found.pairs);
-}
-
-Found find_listed(Search& search, const SphereFile& input, const PairsOptions& options, const CollideOptions& how) {
+Found find_pairs(Search& search, const SphereFile& input, const CollideOptions& options) {
+  const ListProblem& problem = input.given;
   Found found;
-  ListedSpheres listed = find_listed(search, input, options.cutoff, options.csr, how);
-  found.totals = listed.totals;
-  found.counts = std::move(listed.counts);
-  found.listed = std::move(listed.pairs);
-  found.degrees = degrees_of(found.counts);
-  return found;
-}
-
-Found find_pairs(Search& search, const SphereFile& input, const CollideOptions& options, std::optional<double> cutoff) {
-  Found found;
-  found.within_reach = pairs_within_reach(search, input.scene, input.rounding, options);
-  search.upload(input.scene);
-  search.collide(options);
-  found.totals = search.collisions();
-  found.counts = search.counts();
-  if (options.want_pairs) found.pairs = search.pairs();
-  if (cutoff) leave_pairs_beyond(*cutoff, input.scene.positions, found);
-  found.degrees = degrees_of(found.counts);
-  return found;
-}
-
-void write_found(const PairsOptions& options, const SphereFile& input, const Found& found) {
-  const std::string& file = options.output_file;
-  const std::vector<vec4>& spheres = input.scene.positions;
-  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
-  if (input.periodic && !file.empty()) {
-    const ListProblem problem = problem_of(*input.periodic, options.cutoff, options.csr);
-    if (options.csr) return write_listed_neighbours(neighbour_files(file, options.distances), problem, found.listed);
-    return write_listed(file, problem, found.listed, options.distances);
+  try {
+    check_problem(problem);
+    PairRows rows;
+    const int threads = options.method == Method::automatic ? list_threads(search) : 0;
+    if (!threads || !HostLists(threads).list(problem, true, rows)) {
+      rows = list_by_search(search, problem, options);
+      found.method = search.choice(options);
+    }
+    found.list = rows.pairs();
+  } catch (const ListError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", input.file, error.what()));
   }
+  found.counts.resize(problem.set.size());
+  for (const auto& [first, second, shift] : found.list) {
+    ++found.counts[first];
+    if (problem.half) ++found.counts[second];
+    if (first > second || (first == second && shift < Shift{})) continue;  // the other half
+    ++found.pairs;
+    found.fingerprint.a += pair_mix_a(first, second), found.fingerprint.b += pair_mix_b(first, second);
+  }
+  found.degrees = degrees_of(found.counts);
+  return found;
+}
+
+void write_found(const PairsOptions& options, const ListProblem& problem, const Found& found) {
+  const std::string& file = options.output_file;
+  if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, found.counts);
   if (options.csr)
-    write_neighbours(neighbour_files(file, options.distances), found.pairs, found.counts, spheres);
-  else if (options.geometry)
-    write_contacts(file, found.pairs, spheres, input.rounding.shift);
-  else if (options.distances)
-    write_distances(file, found.pairs, spheres);
+    write_neighbours(neighbour_files(file, options.distances), problem, found.list);
   else if (!file.empty())
-    write_pairs(file, found.pairs);
+    write_listed(file, problem, found.list, {options.distances, options.geometry});
 }
 
 std::string describe_points(const PairsReport& report) {
   const SphereFile& input = report.input;
   if (!report.options.cutoff) return describe_radii(input);
-  return fmt::format("{}, cutoff {}{}\n", counted(input.scene.size(), "point"), *report.options.cutoff,
+  return fmt::format("{}, cutoff {}{}\n", counted(input.size(), "point"), *report.options.cutoff,
                      input.unused_radii ? "; the file's radii are not used" : "");
 }
 
+size_t colliding_spheres(const Found& found) {
+  return found.counts.size() - size_t(std::ranges::count(found.counts, 0u));
+}
+
+std::string name_of(const std::optional<MethodChoice>& method) { return method ? method_name(method->method) : "rows"; }
+
 // The text that only --verbose prints, after the summary.
 std::string details(const PairsReport& report) {
-  const auto& [options, input, chosen, method, found, seconds] = report;
-  std::string text = passed_over_text(chosen) + wrapped("method: " + describe(method), "", "  ") + "\n";
-  if (found.totals.deferred)
-    text += fmt::format("left to the exact stages by the float32 filter: {}; decided in float64 {}, in integers {}\n",
-                        counted(found.totals.deferred, "pair"), found.totals.decided_by[STAGE_DOUBLE],
-                        found.totals.decided_by[STAGE_INTEGER] + found.totals.decided_by[STAGE_WIDE]);
+  const auto& [options, input, chosen, found, seconds] = report;
+  std::string text =
+      passed_over_text(chosen) +
+      wrapped("method: " + (found.method ? describe(*found.method) : "rows, by the host's threads"), "", "  ") + "\n";
   text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n", seconds.load, seconds.open,
                       seconds.collide, seconds.write);
   if (found.degrees.spheres) text += "\n" + degree_table(found.degrees).text();
@@ -147,21 +130,17 @@ std::string details(const PairsReport& report) {
 }
 
 std::string summary(const PairsReport& report) {
-  const auto& [options, input, chosen, method, found, seconds] = report;
-  const bool verbose = options.verbosity == Verbosity::verbose;
+  const auto& [options, input, chosen, found, seconds] = report;
   std::string text = describe_file(input) + describe_points(report);
-  if (input.periodic) text += "decided by the file's numbers, none of which is rounded\n";
-  if (verbose && !input.periodic) text += describe_digits(input);
-  text += describe_rounding(input);
   text += wrapped(fmt::format("{} on {}, {}", chosen.backend->info().name, device_label(chosen.backend->info()),
-                              method_name(method.method)),
+                              name_of(found.method)),
                   "", "  ") +
           "\n";
-  text += fmt::format("{}, {} of {} {}; {:.3f} s\n", counted(found.totals.pairs, "pair"),
-                      found.totals.colliding_spheres, counted(input.scene.size(), options.cutoff ? "point" : "sphere"),
+  text += fmt::format("{}, {} of {} {}; {:.3f} s\n", counted(found.pairs, "pair"), colliding_spheres(found),
+                      counted(input.size(), options.cutoff ? "point" : "sphere"),
                       options.cutoff ? "have a neighbour" : "collide",
                       seconds.load + seconds.open + seconds.collide + seconds.write);
-  return text + (verbose ? details(report) : "");
+  return text + (options.verbosity == Verbosity::verbose ? details(report) : "");
 }
 
 // Prints warnings on standard error: causes of a changed result, and without --quiet causes of a slow search.
@@ -169,28 +148,22 @@ void print_warnings(const PairsReport& report) {
   fmt::print(stderr, "{}", box_warning(report.input));
   if (report.options.verbosity != Verbosity::quiet)
     for (const std::string& warning : report.chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
-  const std::string warning =
-      reach_warning(report.found.within_reach, report.input.rounding, report.options.cutoff.has_value());
-  if (!warning.empty()) fmt::print(stderr, "{}\n", wrapped(warning, "* ", "  "));
 }
 
 json to_json(const PairsReport& report, const CommandLine& line) {
-  const auto& [options, input, chosen, method, found, seconds] = report;
+  const auto& [options, input, chosen, found, seconds] = report;
   return {{"context", capture_context(line.words)},
           {"backends", chosen.session->to_json()},
           {"passed_over", chosen.passed_over},
           {"input", to_json(input)},
-          {"method", method_name(method.method)},
-          {"choice", to_json(method)},
-          {"block", method.block ? json(method.block) : json(nullptr)},
+          {"method", name_of(found.method)},
+          {"choice", found.method ? to_json(*found.method) : json(nullptr)},
+          {"block", found.method && found.method->block ? json(found.method->block) : json(nullptr)},
           {"cutoff", options.cutoff ? json(*options.cutoff) : json(nullptr)},
           {"output", options.output_file},
-          {"pairs", found.totals.pairs},
-          {"pairs_within_rounding", found.within_reach},
-          {"colliding_spheres", found.totals.colliding_spheres},
-          {"fingerprint", hex64(found.totals.fingerprint.a) + hex64(found.totals.fingerprint.b)},
-          {"deferred", found.totals.deferred},
-          {"decided_by_stage", found.totals.decided_by},
+          {"pairs", found.pairs},
+          {"colliding_spheres", colliding_spheres(found)},
+          {"fingerprint", hex64(found.fingerprint.a) + hex64(found.fingerprint.b)},
           {"degrees", to_json(found.degrees)},
           {"seconds",
            {{"load", seconds.load}, {"open", seconds.open}, {"collide", seconds.collide}, {"write", seconds.write}}}};
@@ -200,27 +173,21 @@ json to_json(const PairsReport& report, const CommandLine& line) {
 
 int pairs_command(const CommandLine& line, const PairsOptions& options) {
   check_pairs_options(options);
-  PairsReport report{options, {}, {}, {}, {}, {}};
+  PairsReport report{options, {}, {}, {}, {}};
   SphereFile& input = report.input;
   ChosenBackend& chosen = report.chosen;
   Seconds& seconds = report.seconds;
   Progress progress(options.verbosity != Verbosity::quiet);
   progress.say("reading " + options.input_file);
   seconds.load = seconds_of([&] { input = read_input(options, line.open.threads); });
-  if (input.periodic) check_periodic_options(options);
   progress.say("opening a backend");
   seconds.open = seconds_of([&] { chosen = choose_backend(options.backend, line.open, line.opener); });
-  progress.say(fmt::format("{} on {}", counted(input.scene.size(), "sphere"), chosen.backend->info().name));
-  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend),
-                            .want_pairs = !options.output_file.empty() || options.cutoff};
+  progress.say(fmt::format("{} on {}", counted(input.size(), "sphere"), chosen.backend->info().name));
+  CollideOptions collide = {.method = choose_method(options.method, *chosen.backend)};
   if (options.block) collide.block = require_groups({chosen.backend, collide}, options.block);
-  seconds.collide = seconds_of([&] {
-    report.found = input.periodic ? find_listed(*chosen.backend, input, options, collide)
-                                  : find_pairs(*chosen.backend, input, collide, options.cutoff);
-  });
-  report.method = chosen.backend->choice(collide);
+  seconds.collide = seconds_of([&] { report.found = find_pairs(*chosen.backend, input, collide); });
   progress.say("writing " + options.output_file);
-  seconds.write = seconds_of([&] { write_found(options, input, report.found); });
+  seconds.write = seconds_of([&] { write_found(options, input.given, report.found); });
   progress.clear();
   print_warnings(report);
   const bool taken = is_standard_output({options.output_file, options.contacts_file, options.json_file});

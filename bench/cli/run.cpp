@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "bench/check/finite_state.h"
-#include "bench/check/rounding_reach.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
@@ -155,9 +154,6 @@ int run_command(const CommandLine& line, const RunOptions& options) {
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   if (moves) fmt::print(stderr, "{}", stalled_warning(start.scene));
   if (!options.spheres_file.empty()) fmt::print(stderr, "{}", species_warning(start));
-  const std::string rounded =
-      reach_warning(pairs_within_reach(backend, start.scene, start.rounding, collide), start.rounding);
-  if (!rounded.empty()) fmt::print(stderr, "{}\n", wrapped("At the start: " + rounded, "* ", "  "));
   const Outcome outcome = simulate(backend, options, start, collide, times);
   if (!options.pairs_file.empty()) write_pairs(options.pairs_file, backend.pairs());
   if (!options.contacts_file.empty()) write_contact_numbers(options.contacts_file, backend.counts());

@@ -104,7 +104,6 @@ Start start_from(SphereFile input, const MotionChoice& motion) {
   start.file = input.file;
   start.unread_species = input.unread_species;
   start.scene = std::move(input.scene);
-  start.rounding = std::move(input.rounding);
   start.species = std::move(input.species);
   start.species_index = std::move(input.species_index);
   return start;

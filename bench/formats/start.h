@@ -7,7 +7,6 @@
 #include "bench/io/motion_choice.h"
 #include "bench/io/output_files.h"
 #include "bench/io/report.h"
-#include "bench/spheres/rounding.h"
 #include "common/backend/motion.h"
 #include "common/scene/motion_state.h"
 #include "common/scene/scene.h"
@@ -34,7 +33,6 @@ struct Start {
   std::optional<MotionState> motion = {};  // of a resumed run
   uint64_t step = 0;                       // steps done
   bool at_rest = false;                    // the spheres are a file's and none has a velocity
-  Rounding rounding = {};                  // of a file's numbers to float32
   std::vector<std::string> species = {};   // names, if species were kept ...
   std::vector<uint> species_index = {};    // ... and the index into them of each sphere
   std::string file = {};                   // the file that the spheres come from ...

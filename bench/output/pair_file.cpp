@@ -4,44 +4,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "bench/npy/rows_file.h"
+#include "bench/output/pair_geometry.h"
+#include "common/lists/pair_list.h"
 
 namespace spherepair {
 namespace {
 
-// A row of the structured array in the file.
-struct [[gnu::packed]] ContactRow {
-  uint32_t i, j;
-  Contact contact;
-};
-static_assert(sizeof(ContactRow) == 64);
-
-struct DistanceRow {
-  uint32_t i, j;
-  double distance;
-};
-static_assert(sizeof(DistanceRow) == 16);
-
-template <typename Make>
-void write_structured(const Sink& sink, const std::string& dtype, std::span<const Pair> pairs, Make make) {
-  sink(npy_head(dtype, fmt::format("({},)", pairs.size())));
-  std::vector<decltype(make(pairs[0]))> rows;
-  for (size_t start = 0; start < pairs.size(); start += rows_at_a_time) {
-    rows.clear();
-    for (const Pair& pair : pairs.subspan(start, std::min(rows_at_a_time, pairs.size() - start)))
-      rows.push_back(make(pair));
-    sink(bytes_of(std::span<const decltype(make(pairs[0]))>(rows)));
-  }
+template <typename Number, typename Value>
+void write_array(const std::string& file, const char* dtype, const std::string& shape, size_t count, Value value) {
+  std::vector<Number> numbers(count);
+#pragma omp parallel for schedule(static) if (count > rows_at_a_time)
+  for (size_t k = 0; k < count; ++k) numbers[k] = value(k);
+  write_rows(file, 0, {}, [&](const Sink& sink) {
+    sink(npy_head(dtype, shape));
+    sink(bytes_of(std::span<const Number>(numbers)));
+  });
 }
 
-template <typename Number>
-void write_array(const std::string& file, const char* dtype, std::span<const Number> numbers) {
-  write_rows(file, 0, {}, [&](const Sink& sink) {
-    sink(npy_head(dtype, fmt::format("({},)", numbers.size())));
-    sink(bytes_of(numbers));
-  });
+bool has_shifts(const ListProblem& problem) { return !problem.boxes[0].is_open(); }
+
+void write_structured(const Sink& sink, const ListProblem& problem, std::span<const ListedPair> list,
+                      const PairColumns& columns) {
+  std::string dtype = "[('i', '@u4'), ('j', '@u4')";
+  if (has_shifts(problem)) dtype += ", ('shift', '@i4', (3,))";
+  if (columns.distances) dtype += ", ('distance', '@f8')";
+  if (columns.geometry) dtype += ", ('overlap', '@f8'), ('normal', '@f8', (3,)), ('point', '@f8', (3,))";
+  sink(npy_head(dtype + "]", fmt::format("({},)", list.size())));
+  const size_t bytes = 2 * sizeof(uint32_t) + has_shifts(problem) * sizeof(Shift) + columns.distances * sizeof(double) +
+                       columns.geometry * sizeof(Contact);
+  std::string rows;
+  for (size_t start = 0; start < list.size(); start += rows_at_a_time) {
+    const auto part = list.subspan(start, std::min(rows_at_a_time, list.size() - start));
+    rows.resize(part.size() * bytes);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < part.size(); ++k) {
+      char* at = rows.data() + k * bytes;
+      const auto add = [&](const auto& value) {
+        at = std::copy_n(reinterpret_cast<const char*>(&value), sizeof value, at);
+      };
+      add(part[k].first), add(part[k].second);
+      if (has_shifts(problem)) add(part[k].shift);
+      if (columns.distances) add(distance_of(problem, part[k]));
+      if (columns.geometry) add(contact_of(problem, part[k]));
+    }
+    sink(rows);
+  }
 }
 
 }  // namespace
@@ -76,40 +85,34 @@ void write_pairs(const std::string& file, std::span<const Pair> pairs) {
   write_rows(file, pairs.size(), rows, write_npy, names_line(file, {"i", "j"}));
 }
 
-void write_distances(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres) {
-  const char s = separator_of_rows(file);
-  const Rows rows = [&](fmt::memory_buffer& text, size_t first, size_t last) {
-    for (const Pair& pair : pairs.subspan(first, last - first))
-      fmt::format_to(std::back_inserter(text), "{}{}{}{}{}\n", pair.first, s, pair.second, s,
-                     distance_of(pair, spheres));
-  };
-  const auto write_npy = [&](const Sink& sink) {
-    write_structured(sink, "[('i', '@u4'), ('j', '@u4'), ('distance', '@f8')]", pairs, [&](const Pair& pair) {
-      return DistanceRow{pair.first, pair.second, distance_of(pair, spheres)};
-    });
-  };
-  write_rows(file, pairs.size(), rows, write_npy, names_line(file, {"i", "j", "distance"}));
-}
-
-void write_contacts(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres,
-                    const std::array<double, 3>& shift) {
+void write_listed(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
+                  const PairColumns& columns) {
+  if (!has_shifts(problem) && !columns.distances && !columns.geometry) {
+    std::vector<Pair> pairs(list.size());
+    std::ranges::transform(list, pairs.begin(), [](const ListedPair& pair) { return Pair{pair.first, pair.second}; });
+    return write_pairs(file, pairs);
+  }
   const std::string s(1, separator_of_rows(file));
   const Rows rows = [&](fmt::memory_buffer& text, size_t first, size_t last) {
-    for (const Pair& pair : pairs.subspan(first, last - first)) {
-      const Contact c = contact_of(pair, spheres, shift);
-      fmt::format_to(std::back_inserter(text), "{}{}{}{}{}{}{}{}{}\n", pair.first, s, pair.second, s, c.overlap, s,
-                     fmt::join(c.normal, s), s, fmt::join(c.point, s));
+    const auto to = std::back_inserter(text);
+    for (const ListedPair& pair : list.subspan(first, last - first)) {
+      fmt::format_to(to, "{}{}{}", pair.first, s, pair.second);
+      if (has_shifts(problem)) fmt::format_to(to, "{}{}", s, fmt::join(pair.shift, s));
+      if (columns.distances) fmt::format_to(to, "{}{}", s, distance_of(problem, pair));
+      if (columns.geometry) {
+        const Contact c = contact_of(problem, pair);
+        fmt::format_to(to, "{}{}{}{}{}{}", s, c.overlap, s, fmt::join(c.normal, s), s, fmt::join(c.point, s));
+      }
+      text.push_back('\n');
     }
   };
-  const auto write_npy = [&](const Sink& sink) {
-    write_structured(
-        sink, "[('i', '@u4'), ('j', '@u4'), ('overlap', '@f8'), ('normal', '@f8', (3,)), ('point', '@f8', (3,))]",
-        pairs, [&](const Pair& pair) {
-          return ContactRow{pair.first, pair.second, contact_of(pair, spheres, shift)};
-        });
-  };
-  write_rows(file, pairs.size(), rows, write_npy,
-             names_line(file, {"i", "j", "overlap", "nx", "ny", "nz", "px", "py", "pz"}));
+  std::vector<std::string> names = {"i", "j"};
+  if (has_shifts(problem)) names.insert(names.end(), {"sx", "sy", "sz"});
+  if (columns.distances) names.push_back("distance");
+  if (columns.geometry) names.insert(names.end(), {"overlap", "nx", "ny", "nz", "px", "py", "pz"});
+  write_rows(
+      file, list.size(), rows, [&](const Sink& sink) { write_structured(sink, problem, list, columns); },
+      names_line(file, names));
 }
 
 void write_contact_numbers(const std::string& file, std::span<const uint> counts) {
@@ -132,23 +135,18 @@ NeighbourFiles neighbour_files(const std::string& file, bool distances) {
           stem + ".shifts.npy"};
 }
 
-// `pairs` must be sorted. The first loop then writes each sphere's lower neighbours in ascending order, the second
-// appends its higher ones.
-void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,
-                      std::span<const vec4> spheres) {
-  std::vector<uint64_t> offsets(counts.size() + 1, 0);
-  std::inclusive_scan(counts.begin(), counts.end(), offsets.begin() + 1, std::plus<uint64_t>(), uint64_t(0));
-  std::vector<uint64_t> next = offsets;
-  std::vector<uint> neighbours(2 * pairs.size());
-  for (const Pair& pair : pairs) neighbours[next[pair.second]++] = pair.first;
-  for (const Pair& pair : pairs) neighbours[next[pair.first]++] = pair.second;
-  write_array<uint64_t>(files.offsets, "'@u8'", offsets);
-  write_array<uint>(files.neighbours, "'@u4'", neighbours);
-  if (files.distances.empty()) return;
-  std::vector<double> distances(neighbours.size());
-  for (uint i = 0; i < counts.size(); ++i)
-    for (uint64_t k = offsets[i]; k < offsets[i + 1]; ++k) distances[k] = distance_of({i, neighbours[k]}, spheres);
-  write_array<double>(files.distances, "'@f8'", distances);
+void write_neighbours(const NeighbourFiles& files, const ListProblem& problem, const std::vector<ListedPair>& list) {
+  const std::vector<int64_t> offsets = offsets_of(list, problem.set.size());
+  const std::string rows = fmt::format("({},)", list.size());
+  write_array<uint64_t>(files.offsets, "'@u8'", fmt::format("({},)", offsets.size()), offsets.size(),
+                        [&](size_t k) { return uint64_t(offsets[k]); });
+  write_array<uint32_t>(files.neighbours, "'@u4'", rows, list.size(), [&](size_t k) { return list[k].second; });
+  if (has_shifts(problem))
+    write_array<Shift>(files.shifts, "'@i4'", fmt::format("({}, 3)", list.size()), list.size(),
+                       [&](size_t k) { return list[k].shift; });
+  if (!files.distances.empty())
+    write_array<double>(files.distances, "'@f8'", rows, list.size(),
+                        [&](size_t k) { return distance_of(problem, list[k]); });
 }
 
 }  // namespace spherepair

@@ -3,12 +3,12 @@
 // text with the names in a comment. Replaces each file atomically.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 
 #include "bench/io/output_files.h"
-#include "bench/output/pair_geometry.h"
+#include "common/lists/displacement.h"
+#include "common/scene/pair_set.h"
 
 namespace spherepair {
 
@@ -23,12 +23,15 @@ std::string names_line(const std::string& file, const std::vector<std::string>& 
 // NPY: m x 2, uint32; text: lines `i j`.
 void write_pairs(const std::string& file, std::span<const Pair> pairs);
 
-// NPY: a structured array of i, j (uint32), distance (float64); text: lines `i j distance`.
-void write_distances(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres);
-
-// NPY: a structured array of i, j (uint32), overlap, normal (3), point (3) (float64); text: lines of the same columns.
-void write_contacts(const std::string& file, std::span<const Pair> pairs, std::span<const vec4> spheres,
-                    const std::array<double, 3>& shift);
+// What a row has beside i, j and, in a periodic box, the shift.
+struct PairColumns {
+  bool distances = false, geometry = false;
+};
+// Writes the list of one system; without other columns as write_pairs does. NPY: a structured array of i, j (uint32),
+// shift (3, int32), distance, overlap, normal (3), point (3) (float64), as far as wanted; text: lines of the same
+// columns.
+void write_listed(const std::string& file, const ListProblem& problem, std::span<const ListedPair> list,
+                  const PairColumns& columns);
 
 // The number of contacts of each sphere. NPY: n, uint32; text: a line each.
 void write_contact_numbers(const std::string& file, std::span<const uint> counts);
@@ -41,7 +44,7 @@ struct NeighbourFiles {
   std::string shifts;  // list.shifts.npy (2 m x 3, int32), only for periodic boxes
 };
 NeighbourFiles neighbour_files(const std::string& file, bool distances);
-void write_neighbours(const NeighbourFiles& files, std::span<const Pair> pairs, std::span<const uint> counts,
-                      std::span<const vec4> spheres);
+// Writes a full list of one system.
+void write_neighbours(const NeighbourFiles& files, const ListProblem& problem, const std::vector<ListedPair>& list);
 
 }  // namespace spherepair

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bench/spheres/rounding.h"
 #include "bench/spheres/sphere_file.h"
+#include "bench/spheres/sphere_rows.h"
 
 namespace spherepair {
 namespace {

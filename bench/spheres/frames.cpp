@@ -125,12 +125,12 @@ void take_periodic_box(const std::string& where, const std::string& text, const 
     input.ignored = text;
     return;
   }
-  if (!options.take_periodic)
+  if (!options.exact)
     fail(
         "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
         "(take only those inside it with --ignore-periodic)");
   if (!box) fail(fmt::format("{} (or take only pairs inside it with --ignore-periodic)", wanted));
-  input.periodic = PeriodicSpheres{.box = *box, .set = {}, .text = text};
+  input.given.boxes = {*box}, input.periodic = text;
 }
 
 }  // namespace spherepair

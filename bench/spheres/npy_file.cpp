@@ -127,9 +127,9 @@ void read_numbers(NumberTable table, const SphereFileOptions& options, SphereRow
   input.own_radii = any([](const NumberColumn& column) { return column.quantity == QUANTITY_RADIUS; });
   check_radius(table.file, table.meaning, options);
   input.units = table.meaning.units;
-  rows.resize(table.rows, options.radius.value_or(0),
-              any([](const NumberColumn& column) { return column.quantity >= QUANTITY_VX; }),
-              radius_is_rounded(options) || table.meaning.diameters ||
+  const double radius = options.radius.value_or(0);
+  rows.resize(table.rows, radius, any([](const NumberColumn& column) { return column.quantity >= QUANTITY_VX; }),
+              options.exact || radius != double(float(radius)) || table.meaning.diameters ||
                   any([](const NumberColumn& column) { return !float32_holds(column.dtype); }));
   input.values = table.rows * table.columns.size();
   const Converted done = convert(table, rows, reading_threads(options));

@@ -36,16 +36,15 @@ SphereFile read_one(const FileBytes& file, const SphereFileOptions& options, Sph
 
 void complete(SphereFile& input, SphereRows& rows, const FileBytes& bytes, const SphereFileOptions& options) {
   input.file = bytes.name();
-  input.ignores_radii = options.ignore_radii;
   input.at_rest = std::ranges::all_of(rows.velocities, [](const vec4& v) { return v.x == 0 && v.y == 0 && v.z == 0; });
-  if (input.periodic) {
-    PointSet& set = input.periodic->set;
-    for (const auto& [x, y, z, radius] : rows.exact) set.points.push_back({x, y, z}), set.radii.push_back(radius);
-    if (rows.exact.empty())  // the file's numbers are float32
-      for (const auto& [x, y, z, radius] : rows.positions) set.points.push_back({x, y, z}), set.radii.push_back(radius);
-    set.offsets = {0, set.size()};
+  if (options.exact) {
+    input.given.set = std::move(rows.exact);
+    input.given.set.offsets = {0, input.given.set.size()};
+    input.given.boxes.resize(1);  // open unless read
+    input.changed = 0;
+    return;
   }
-  if (!input.periodic) input.rounding = round_rows(rows, options.may_shift);
+  input.largest_rounding = largest_rounding(rows);
   Scene& scene = input.scene;
   scene.name = std::filesystem::path(bytes.name()).filename().string();
   scene.positions = std::move(rows.positions);
@@ -117,10 +116,6 @@ void check_radius(const FileBytes& file, const Columns& columns, const SphereFil
         fmt::format("{} has no radii (its columns: {}): give the radius of all spheres with "
                     "--radius, or the column of radii with --columns",
                     file.name(), columns.text));
-}
-
-bool radius_is_rounded(const SphereFileOptions& options) {
-  return options.radius && double(float(*options.radius)) != *options.radius;
 }
 
 int reading_threads(const SphereFileOptions& options) {

@@ -7,9 +7,8 @@
 #include <string>
 
 #include "bench/io/report.h"
-#include "bench/spheres/rounding.h"
+#include "bench/spheres/sphere_rows.h"
 #include "common/files/file_bytes.h"
-#include "common/lists/list_problem.h"
 #include "common/scene/scene.h"
 
 namespace spherepair {
@@ -22,37 +21,31 @@ struct SphereFileOptions {
   bool ignore_radii = false;              // of the file: all spheres get the option's
   bool species = false;                   // reads a column of text; an error for formats without species
   bool ignore_periodic = false;           // a periodic box is an error otherwise ...
-  bool take_periodic = false;             // ... unless it is taken
-  bool may_shift = false;                 // subtracts a vector that changes no difference of numbers
+  bool exact = false;                     // ... but for `given`, which is filled in place of the scene
   int threads = 0;                        // 0: all cores
 };
 
-// Spheres in a periodic box, as the file's own numbers.
-struct PeriodicSpheres {
-  ListBox box;
-  PointSet set;
-  std::string text;  // Lattice="..." pbc="..."
-};
-
 struct SphereFile {
-  Scene scene;  // at rest if the file has no velocities
+  Scene scene;        // rounded to float32; at rest if the file has no velocities
+  ListProblem given;  // the file's spheres and box in float64, as one system
   std::string file, format;
   bool own_radii = false;            // else the radius is the option's
-  bool ignores_radii = false;        // the file's radii, as asked for ...
-  bool unused_radii = false;         // ... although the file has some
+  bool unused_radii = false;         // the file has radii, which are ignored as asked for
   uint64_t values = 0, changed = 0;  // numbers read; those changed by rounding to float32
   uint64_t frame = 0, frames = 1;
-  std::string ignored;              // the periodic box, if ignored
-  std::string unread_box;           // a comment that mentions a box
-  std::optional<WallBox> box = {};  // along the axes, none of them periodic
-  std::optional<PeriodicSpheres> periodic = {};
-  std::string units;    // of lengths, in the file's words; empty if it has none
-  bool at_rest = true;  // no sphere of the file has a velocity
-  Rounding rounding;
+  std::string periodic;              // the periodic box in the file's words, if `given` has one
+  std::string ignored;               // the periodic box, if ignored
+  std::string unread_box;            // a comment that mentions a box
+  std::optional<WallBox> box = {};   // along the axes, none of them periodic
+  std::string units;                 // of lengths, in the file's words; empty if it has none
+  bool at_rest = true;               // no sphere of the file has a velocity
+  float largest_rounding = 0;        // how far it moved a surface at most
   std::vector<std::string> species;  // ascending, each once; empty unless asked for ...
   std::vector<uint> species_index;   // ... of each sphere
   bool unread_species = false;       // the file has species that were not asked for
   bool unread_momenta = false;       // the file has momenta but no velocities
+
+  uint64_t size() const { return scene.size() + given.set.size(); }  // one of these is 0
 };
 
 // Reads a file by its extension. Without one it reads streams (-, pipes, /dev/fd/63) by their contents, and files with
@@ -62,12 +55,10 @@ SphereFile read_sphere_file(const std::string& file, const SphereFileOptions& op
 // Reads all frames of a file in one pass. Species are those of all frames.
 std::vector<SphereFile> read_sphere_frames(const std::string& file, const SphereFileOptions& options);
 
-std::string describe(const SphereFile& input);           // all of these:
-std::string describe_file(const SphereFile& input);      // format, frame, units
-std::string box_warning(const SphereFile& input);        // empty if the file mentions no box
-std::string describe_radii(const SphereFile& input);     // with the number of spheres
-std::string describe_digits(const SphereFile& input);    // how many are lost, and the shift
-std::string describe_rounding(const SphereFile& input);  // how far rounding moves a surface; empty if not at all
+std::string describe(const SphereFile& input);        // all of these, and what rounding to float32 changed:
+std::string describe_file(const SphereFile& input);   // format, frame, units
+std::string box_warning(const SphereFile& input);     // empty if the file mentions no box
+std::string describe_radii(const SphereFile& input);  // with the number of spheres
 json to_json(const SphereFile& input);
 
 // The readers of formats without frames (for the others see frames.h): they fill the fields of the format and the rows.
@@ -92,7 +83,6 @@ bool take_radii_away(Columns& columns, const SphereFileOptions& options);
 // For the readers. Throws unless there is a radius either in the file or in the options.
 void check_radius(const FileBytes& file, const Columns& columns, const SphereFileOptions& options);
 int reading_threads(const SphereFileOptions& options);
-bool radius_is_rounded(const SphereFileOptions& options);  // of the option's radius
 
 // The text of what was expected instead of an invalid value; null for a valid one.
 inline const char* why_invalid(double value, bool is_radius) {

@@ -70,7 +70,7 @@ void read_box(const Comment& comment, const SphereFileOptions& options, SphereFi
   take_periodic_box(fmt::format("{}, line {}", comment.file.name(), comment.line), box.text, box.box,
                     "a periodic box as Lattice=\"...\" of nine numbers, its three vectors, with pbc=\"T T F\"", options,
                     input);
-  if (input.periodic) return;
+  if (!input.periodic.empty()) return;
   input.box = closed_box(comment);
   if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);
   input.unread_box = options.ignore_periodic ? "" : box.mention;

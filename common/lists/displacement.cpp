@@ -30,15 +30,14 @@ void add_square(Squares& sum, double sign, const Parts& parts) {
   }
 }
 
-// The sign of |x_j - x_i + S H|^2 - c^2.
-int exact_side(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
-  Squares sum;
-  for (size_t axis = 0; axis < 3; ++axis) add_square(sum, 1, component(problem, box, pair, axis));
-  add_square(sum, -1, problem.reach(pair.first, pair.second));
-  return sum.sign();
-}
-
 }  // namespace
+
+double squared_gap(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
+  Squares sum;
+  add_square(sum, 1, problem.reach(pair.first, pair.second));
+  for (size_t axis = 0; axis < 3; ++axis) add_square(sum, -1, component(problem, box, pair, axis));
+  return sum.rounded();
+}
 
 // Rounding moves a component at most seven times, each time by 2^-53 of the sum of its terms' sizes at most. So 2^-50
 // of that sum bounds them all. The squares, their sum, and c squared are each rounded four times at most.
@@ -61,13 +60,16 @@ bool is_within_reach(const ListProblem& problem, const ListBox& box, const Liste
   error += 0x1p-49 * (squared + limit);
   if (squared + error < limit) return true;
   if (squared - error > limit) return false;
-  const int side = exact_side(problem, box, pair);
-  return side < 0 || (side == 0 && problem.inclusive);
+  const double gap = squared_gap(problem, box, pair);
+  return gap > 0 || (gap == 0 && problem.inclusive);
 }
 
 Point3 displacement(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
   Point3 way;
-  for (size_t axis = 0; axis < 3; ++axis) way[axis] = component(problem, box, pair, axis).rounded();
+  const Point3 &from = problem.firsts().points[pair.first], &to = problem.set.points[pair.second];
+  const bool direct = pair.shift == Shift{};  // then one difference, rounded once; + 0.0: no -0
+  for (size_t axis = 0; axis < 3; ++axis)
+    way[axis] = direct ? to[axis] - from[axis] + 0.0 : component(problem, box, pair, axis).rounded();
   return way;
 }
 

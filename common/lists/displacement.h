@@ -15,6 +15,9 @@ struct ListedPair {
 
 bool is_within_reach(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 
+// c^2 - |x_j - x_i + S H|^2, at most one unit in the last place from the real number.
+double squared_gap(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
+
 // Each component at most one unit in the last place from the real number.
 Point3 displacement(const ListProblem& problem, const ListBox& box, const ListedPair& pair);
 

@@ -32,14 +32,12 @@ class ExactSum {
     if (rest != 0) add(rest);
     if (product != 0) add(product);
   }
-  // At most one unit in the last place from the sum.
+  // At most one unit in the last place from the sum, with its sign.
   FN double rounded() const {
     double sum = 0;
     for (size_t k = 0; k < count_; ++k) sum += parts_[k];
     return sum;
   }
-  // The sum's own sign: its largest part is larger than all others together.
-  FN int sign() const { return count_ == 0 ? 0 : parts_[count_ - 1] > 0 ? 1 : -1; }
   const double* begin() const { return parts_; }
   const double* end() const { return parts_ + count_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `pairs` reads and writes other than plain pairs: geometry, numbers of contacts, standard input, rounding.
+// What `pairs` reads and writes other than plain pairs: geometry, numbers of contacts, standard input.
 #include "tests/support/pairs_command.h"
 
 namespace spherepair {
@@ -32,17 +32,17 @@ TEST_F(PairsCommand, WritesOverlapNormalAndPointOfEachPair) {
   EXPECT_EQ(numbers, (std::array<double, 7>{0.5, -1, 0, 0, 0.75, 0, 0}));
 }
 
-// Also where the spheres were shifted.
+// Also far from the origin, where the numbers of the overlap cancel.
 TEST_F(PairsCommand, ContactPointsAreWhereTheFileHasThem) {
-  PairsOptions far = options("pairs.txt");
+  PairsOptions far = options("pairs.csv");
   far.geometry = true;
-  far.verbosity = Verbosity::verbose;
-  far.input_file = folder_.write("far.txt", "100000.1 0 0 1\n100001.6 0 0 1\n");
+  far.input_file = folder_.write("far.txt", "100000.125 0 0 1\n100001.625 0 0 1\n");
   EXPECT_EQ(run(far), "");
-  EXPECT_NE(output_.find("shifted by (-100001, 0, 0)"), std::string::npos) << output_;
-  double point = 0;
-  ASSERT_EQ(std::sscanf(read_bytes(far.output_file).c_str(), "# %*[^\n] 0 1 %*f 1 0 0 %lf", &point), 1);
-  EXPECT_NEAR(point, 100000.85, 1e-6);
+  EXPECT_EQ(read_bytes(far.output_file), "i,j,overlap,nx,ny,nz,px,py,pz\n0,1,0.5,1,0,0,100000.875,0,0\n");
+  far.input_file = folder_.write("near.txt", "1e9 0 0 1\n1000000001.9999999 0 0 1\n");
+  EXPECT_EQ(run(far), "");
+  EXPECT_NE(read_bytes(far.output_file).find("0,1,1.1920928955078125e-07,1,0,0,1000000001,0,0"), std::string::npos)
+      << read_bytes(far.output_file);
 }
 
 TEST_F(PairsCommand, WritesTheNumberOfContactsOfEachSphere) {
@@ -64,33 +64,16 @@ TEST_F(PairsCommand, WritesTheNumberOfContactsOfEachSphere) {
   EXPECT_NE(run(both).find("the format of --contacts"), std::string::npos);
 }
 
-// A lattice of tangent spheres in tenths, which no binary number represents.
-TEST_F(PairsCommand, SaysHowManyPairsRoundingCanDecide) {
-  std::vector<double> rows;
-  for (int k = 0; k < 1000; ++k) rows.insert(rows.end(), {100 + 0.1 * (k % 10), 0.1 * (k / 10 % 10), 0.1 * (k / 100)});
-  PairsOptions tangent = options("pairs.txt");
-  tangent.radius = 0.05f;
-  tangent.json_file = folder_.path("pairs.json");
-  tangent.input_file = folder_.write("tangent.npy", npy_file(npy_header("<f8", "(1000, 3)"), npy_data(rows, 3)));
-  EXPECT_EQ(run(tangent), "");
-  EXPECT_NE(errors_.find("2700 pairs are so close to touching"), std::string::npos) << errors_;
-  EXPECT_EQ(json::parse(read_bytes(tangent.json_file)).at("pairs_within_rounding"), 2700);
-  tangent.radius = 0.06f;
-  EXPECT_EQ(run(tangent), "");
-  EXPECT_EQ(errors_, "");
-  EXPECT_NE(output_.find("2700 pairs, "), std::string::npos) << output_;
-}
-
 // Of float32 centres, whose distance is 0.2 + 9e-11: float32's 0.1 reaches farther.
-TEST_F(PairsCommand, TheRadiusGivenCanDecideToo) {
+TEST_F(PairsCommand, TheRadiusGivenIsNotRounded) {
   PairsOptions pair = options("pairs.txt");
-  pair.radius = 0.1;
   const std::vector<float> rows = {0, 0, 0, 13096 * 0x1p-16f, 390 * 0x1p-16f, 376 * 0x1p-16f};
   pair.input_file = folder_.write("rad.npy", npy_file(npy_header("<f4", "(2, 3)"), npy_data(rows, 3)));
-  EXPECT_EQ(run(pair), "");
-  EXPECT_NE(errors_.find("1 pair is so close to touching"), std::string::npos) << errors_ << output_;
-  pair.radius = 0.125;
-  EXPECT_EQ(run(pair), "");
+  for (const auto& [radius, lines] : {std::pair(0.1, "# i j\n"), {double(0.1f), "# i j\n0 1\n"}}) {
+    pair.radius = radius;
+    EXPECT_EQ(run(pair), "");
+    EXPECT_EQ(read_bytes(pair.output_file), lines) << radius;
+  }
   EXPECT_EQ(errors_, "");
 }
 

@@ -178,7 +178,7 @@ TEST(ColumnMeaning, ADiameterIsHalvedWithoutAnotherRounding) {
     const SphereFile input = read_text(fmt::format("x,y,z,diameter\n0,0,0,{}\n", diameter), {}, "csv");
     const double exact = std::strtod(diameter, nullptr) / 2, read = input.scene.positions[0].w;
     EXPECT_LE(std::abs(read - exact), std::max(exact * 0x1p-24, 0x1p-150)) << diameter;
-    EXPECT_GE(double(input.rounding.largest), std::abs(read - exact)) << diameter;
+    EXPECT_GE(double(input.largest_rounding), std::abs(read - exact)) << diameter;
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "bench/lists/listed_file.h"
 #include "tests/bench/sphere_complaints.h"
 #include "tests/support/pairs_command.h"
 
@@ -26,7 +25,7 @@ std::string atoms_section(const std::string& style, const std::string& lines) {
 class LammpsData : public PairsCommand {
  protected:
   SphereFile read(const std::string& text, SphereFileOptions options = {}) {
-    options.ignore_periodic = !options.take_periodic;
+    options.ignore_periodic = !options.exact;
     return read_sphere_file(folder_.write("a.data", text), options);
   }
   std::string listed(const std::string& name, const std::string& text, double cutoff) {
@@ -123,10 +122,10 @@ TEST_F(LammpsData, AStreamIsKnownByTheNumberOfAtoms) {
 
 TEST_F(LammpsData, BadFilesAreRefusedWhereTheyAre) {
   const auto expect = [](const std::string& text, uint64_t line, const std::string& expected, const std::string& found,
-                         SphereFileOptions options = {.radius = 1, .take_periodic = true}) {
+                         SphereFileOptions options = {.radius = 1, .exact = true}) {
     expect_complaint("bad.data", text, fmt::format("line {}", line), expected, found, options);
   };
-  const SphereFileOptions sphere = {.take_periodic = true};
+  const SphereFileOptions sphere = {.exact = true};
   const std::string one = atoms_section("atomic", "1 1 0 0 0\n");
   expect("", 2, "a header with the lines `N atoms`", "the end of the file");
   expect("units = ", 2, "a header with the lines", "the end of the file");

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "bench/lists/listed_file.h"
 #include "bench/spheres/sphere_file.h"
 #include "tests/support/pairs_command.h"
 

@@ -2,7 +2,6 @@
 // Spheres of NPZ files: arrays by their names, stored or deflated, and a periodic box.
 #include <zlib.h>
 
-#include "bench/lists/listed_file.h"
 #include "tests/bench/sphere_complaints.h"
 #include "tests/support/pairs_command.h"
 
@@ -160,7 +159,7 @@ TEST_F(NpzFile, PairsInItsBoxAreThoseOfTheSameLattice) {
   const Members open = {{"spheres.npy", npy_array<float>("(1, 4)", {0, 0, 0, 1})},
                         {"box.npy", cube},
                         {"pbc.npy", npy_array<uint8_t>("(1,)", {0}, "u")}};
-  EXPECT_FALSE(read(open).periodic);
+  EXPECT_EQ(read(open, {.exact = true}).periodic, "");
 }
 
 TEST_F(NpzFile, BadArchivesAreRefusedWhereTheyAre) {
@@ -200,8 +199,7 @@ TEST_F(NpzFile, BadArchivesAreRefusedWhereTheyAre) {
 
 TEST_F(NpzFile, BadArraysAreRefusedWhereTheyAre) {
   const auto expect = [&](const Members& members, const std::string& place, const std::string& expected,
-                          const std::string& found,
-                          const SphereFileOptions& asked = {.radius = 1, .take_periodic = true}) {
+                          const std::string& found, const SphereFileOptions& asked = {.radius = 1, .exact = true}) {
     expect_complaint("bad.npz", zip_of(members), place, expected, found, asked);
   };
   const std::pair<std::string, std::string> centres = {"positions.npy", two_centres};
@@ -235,7 +233,7 @@ TEST_F(NpzFile, BadArraysAreRefusedWhereTheyAre) {
   has(refusal({centres, {"box.npy", cube}}, {.radius = 1}),
       "expected spheres without a periodic box, since only `pairs`");
   has(refusal({centres}, {.radius = 1, .ignore_periodic = true}), "has no periodic box: omit --ignore-periodic");
-  has(refusal({centres, {"pbc.npy", npy_array<uint8_t>("(1,)", {1}, "u")}}, {.radius = 1, .take_periodic = true}),
+  has(refusal({centres, {"pbc.npy", npy_array<uint8_t>("(1,)", {1}, "u")}}, {.radius = 1, .exact = true}),
       "an array box beside pbc");
   EXPECT_EQ(read({centres, {"box.npy", cube}}, {.radius = 1, .ignore_periodic = true}).ignored,
             "box (4 0 0), (0 5 0), (0 0 6)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NPZ: what is read is a scene that every backend takes, or one in a periodic box.
+// NPZ: what is read is a list's problem, in a periodic box or not.
 #include "bench/spheres/sphere_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -7,14 +7,12 @@ using namespace spherepair;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string file = input_file("spheres.npz", text_of(data, size));
-  const SphereFileOptions own_radii = {.take_periodic = true, .threads = 1};
-  const SphereFileOptions one_radius = {
-      .radius = 0.5f, .columns = {"pos=positions"}, .take_periodic = true, .threads = 1};
+  const SphereFileOptions own_radii = {.exact = true, .threads = 1};
+  const SphereFileOptions one_radius = {.radius = 0.5f, .columns = {"pos=positions"}, .exact = true, .threads = 1};
   for (const SphereFileOptions& options : {own_radii, one_radius}) {
     const auto input = unless_refused([&] { return read_sphere_file(file, options); });
     if (!input) continue;
-    check_scene(input->scene);
-    if (input->periodic) require(input->periodic->set.size() == input->scene.size(), "spheres outside the box");
+    require(input->scene.size() == 0 && input->given.set.radii.size() == input->size(), "rounded spheres");
     describe(*input);
     to_json(*input).dump();
   }

@@ -25,7 +25,8 @@ inline const std::vector<vec4>& spheres() {
 
 inline std::string xyz_of(const std::vector<vec4>& all) {
   std::string text = fmt::format("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n", all.size());
-  for (const vec4& s : all) text += fmt::format("Ar {} {} {} {}\n", s.x, s.y, s.z, s.w);
+  for (const vec4& s : all)  // all digits: decimals are read as float64
+    text += fmt::format("Ar {} {} {} {}\n", double(s.x), double(s.y), double(s.z), double(s.w));
   return text;
 }
 
