@@ -71,7 +71,7 @@
   each(list_prepare, list_state | list_system | list_given | list_place | list_bins, \
        list_state | list_system | list_place | list_bins | cell | id | sorted | list_look) \
   each(list_count, cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
-       row_length | list_keys) \
+       row_length | list_keys | list_state) \
   each(list_sums, row_length | list_state, list_sum) \
   each(list_scan, row_length | list_state | list_sum, list_begin) \
   each(list_find, \

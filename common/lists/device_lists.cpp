@@ -36,7 +36,7 @@ bool DeviceLists::make_room() {
                                               {SLOT_LIST_EXCLUDED, state.exclusions * sizeof(uvec2)},
                                               {SLOT_LIST_GIVEN, context_.n * sizeof(dvec4)},
                                               {SLOT_LIST_PLACE, context_.n * sizeof(ivec4)},
-                                              {SLOT_SORTED, points * sizeof(vec4)},
+                                              {SLOT_SORTED, context_.n * sizeof(vec4)},
                                               {SLOT_ID, points * sizeof(uint)},
                                               {SLOT_LIST_BIN, points * sizeof(uvec2)},
                                               {SLOT_LIST_KEY, looking * state.kept * sizeof(uint)},
@@ -119,7 +119,7 @@ void DeviceLists::count() {
   if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
   sent_.is_small() ? prepare_small_systems() : prepare_systems();
   const uint64_t row_tiles = ceil_div(looking(), LIST_TILE);
-  launch(Kernel::list_count, LIST_BLOCK, looking_groups());
+  launch(Kernel::list_count, row_block(), row_groups());
   if (row_tiles > 1) launch(Kernel::list_sums, SCAN_BLOCK, row_tiles);
   launch(Kernel::list_scan, SCAN_BLOCK, row_tiles);
 }
@@ -138,7 +138,7 @@ DeviceLists::Found DeviceLists::found() {
 void DeviceLists::fill() {
   if (is_empty()) return;  // nothing was counted
   if (counts_again_) count();
-  launch(Kernel::list_find, LIST_BLOCK, looking_groups());
+  launch(Kernel::list_find, row_block(), row_groups());
   launch(Kernel::list_order, LIST_ORDER_BLOCK, ceil_div(looking(), 1u << sent_.state.order_bits));
 }
 

@@ -52,7 +52,8 @@ class DeviceLists {
 
   void prepare_small_systems();
   void prepare_systems();
-  uint64_t looking_groups() const { return ceil_div(looking() << sent_.state.row_bits, LIST_BLOCK); }
+  uint row_block() const { return 1u << sent_.state.row_bits == LIST_ROWS ? LIST_BLOCK / 2 : LIST_BLOCK; }
+  uint64_t row_groups() const { return ceil_div(looking(), 1u << sent_.state.row_bits); }
   void launch(Kernel kernel, uint block, uint64_t groups);
   PairRows read_list(uint64_t pairs);
 

@@ -36,12 +36,12 @@ bool same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0);
 }
 
-// Sets how many threads look for the pairs of a row, how many rows a group sorts, and how many keys of a row are kept.
+// Sets for how many rows a group looks, and how many it sorts, and how many keys of a row are kept.
 void share_out(ListState& state) {
-  while (state.row_bits < 5 && uint64_t(state.looking) << state.row_bits < LIST_THREADS) ++state.row_bits;
+  while (1u << state.row_bits < LIST_ROWS && state.looking >> state.row_bits > LIST_ROW_GROUPS) ++state.row_bits;
   const uint rows = std::max(state.looking, 1u);
   state.kept = std::clamp(LIST_KEPT_TOTAL / rows, LIST_KEPT_LEAST, LIST_KEPT_MOST);
-  while (state.order_bits < 5 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
+  while (state.order_bits < 6 && state.looking >> state.order_bits > LIST_ORDER_GROUPS) ++state.order_bits;
 }
 
 }  // namespace

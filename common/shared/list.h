@@ -7,24 +7,29 @@
 
 #include "common/shared/layout.h"
 
-#define LIST_BLOCK 128               // group size of list_count and list_find
-#define LIST_THREADS 524288u         // these start at least so many threads, with up to 32 for a row of the list
+#define LIST_BLOCK 128               // group size of list_count and list_find; half where LIST_ROWS fill a group
+#define LIST_ROWS 32u                // rows, at most, for which a group looks; fewer if there would be fewer ...
+#define LIST_ROW_GROUPS 2048u        // ... groups than this
+#define LIST_NEAR 8                  // cells, at most, between rows that look together
+#define LIST_RANGES 32u              // ranges of cells that a group looks through at a time
+#define LIST_BOUNDS 13u              // of the rows that look together: 6 of cells, 6 of places, the reach
 #define LIST_KEPT_MOST 128u          // keys of a row that list_count keeps before the length of the list is known, ...
 #define LIST_KEPT_TOTAL 33554432u    // ... keys of all rows, above which fewer of each are kept, ...
 #define LIST_KEPT_LEAST 12u          // ... and keys of a row that are kept in any case
 #define LIST_ORDER_BLOCK 64          // group size of list_order
-#define LIST_ORDER_ROWS 32u          // rows, at most, that a group of list_order sorts; ...
-#define LIST_ORDER_GROUPS 4096u      // ... fewer if there would be fewer groups than this
+#define LIST_ORDER_GROUPS 4096u      // a group sorts up to 64 rows, fewer if there would be fewer groups than this
 #define LIST_PREPARED 2048u          // points and queries, at most, of a system that one group of list_prepare prepares
 #define LIST_PREPARE_BLOCK 128       // its group size
 #define LIST_PREPARED_SYSTEMS 4096u  // systems, at most, for which list_prepare is launched
-#define LIST_RANKED 64u              // keys, at most, of a row in which each key's place is found by counting
-#define LIST_CHUNK_BITS 8u
-#define LIST_CHUNK 256u  // keys that 32 threads sort in registers: 2^LIST_CHUNK_BITS
-#define LIST_ROOM 1024u  // keys that a group of list_order has room for in shared memory
-#define LIST_EACH 4u     // points and queries that a thread of list_measure measures
-#define LIST_TILE 2048u  // rows that a group of list_sums and of list_scan adds up
-#define LIST_ASKS 1u     // flags of ListState: queries look, not the points
+#define LIST_EACH_BITS 4u
+#define LIST_KEYS_EACH 16u   // keys that a thread of list_order sorts: 2^LIST_EACH_BITS
+#define LIST_SLOT 17u        // words of shared memory for them; one stays free, against bank conflicts
+#define LIST_WRITES 4u       // pairs that a thread writes at a time
+#define LIST_MOST_BITS 5u    // up to 2^LIST_MOST_BITS threads sort a row at once, ...
+#define LIST_MOST_KEYS 512u  // ... so many keys
+#define LIST_EACH 4u         // points and queries that a thread of list_measure measures
+#define LIST_TILE 2048u      // rows that a group of list_sums and of list_scan adds up
+#define LIST_ASKS 1u         // flags of ListState: queries look, not the points
 #define LIST_HALF 2u
 #define LIST_INCLUSIVE 4u
 #define LIST_SELF_PAIRS 8u
@@ -57,28 +62,43 @@ struct ListSystem {
   double origin[3], scale;      // a wrapped point x is binned at (x - origin) * scale
   double low[3], cells_per_unit[3], slack[3];  // of coordinates
   double reach;                                // of a point of radius 0
+  float reach_part, unused;                    // cutoff and skin, scaled
 };
 
 struct ListState {
   uint wrong, far;  // ~index of the first point that is not listed, or too far from its box
   uint wide;        // not 0: keys have no room for the images within reach
+  uint longer;      // not 0: a row has more keys than list_count keeps
   uint kept;        // keys of a row that list_count has room for
+  uint unused;
   double cutoff, skin;
   int64_t room;                            // pairs that the columns have room for
   uint points, queries, looking, systems;  // queries stand behind the points; looking: all that look
   uint flags, exclusions;                  // LIST_*; pairs in SLOT_LIST_EXCLUDED
-  uint row_bits, order_bits;               // 2^row_bits threads look for the pairs of a row; 2^order_bits rows a group
+  uint row_bits, order_bits;               // groups look for 2^row_bits rows, and sort 2^order_bits
 };
 
-// What a point or a query looks through: a block of cells, of which those beyond the system's own are of images.
+// What a point or a query looks through: cells low to high - 1 along each axis, of which those beyond the system's own
+// are of images.
 struct UNIFORM_ALIGN ListLook {
-  vec4 place;                      // wrapped and scaled; w: its own part of the reach
-  uint cell_x, cell_y, cell_z;     // the first cell, ...
-  int image_x, image_y, image_z;   // ... its image, ...
-  uint along_x, along_y, along_z;  // ... and the number of cells along each axis
-  uint i, system;                  // its index in the list's rows
-  uint self;                       // the binned index of a point; ~0 of a query
+  int low[3], high[3];  // high <= low: nothing
+  uint i, system;       // its index in the list's rows
 };
+
+// Order-preserving code of a number, and back.
+FN int ordered_code(float x) {
+  int bits = int(float_bits(x));
+  return bits < 0 ? bits ^ 0x7FFFFFFF : bits;
+}
+FN float number_of_code(int code) { return bits_float(uint(code < 0 ? code ^ 0x7FFFFFFF : code)); }
+
+// A squared distance less the squared reach, in float32. It grows with the size of x, y and z.
+FN float list_beyond(float x, float y, float z, float reach) {
+  EXACT float in_plane = multiply_add(x, x, y * y);
+  EXACT float squared = multiply_add(z, z, in_plane);
+  EXACT float beyond = multiply_add(reach, -reach, squared);
+  return beyond;
+}
 
 // Order-preserving code of a number's upper 32 bits, for atomic maxima; 0 stands for none.
 FN uint ordered_high(double x) {
@@ -105,137 +125,6 @@ FN bool is_listed_number(double x) {
 FN double list_coordinate(ListRows dual, uint k, dvec4 x) {
   EXACT double at = dual.of[3u * k] * x.x + dual.of[3u * k + 1u] * x.y + dual.of[3u * k + 2u] * x.z;
   return at;
-}
-
-// Sets the numbers of cells: about two points a cell, each at least half a reach wide. x, y and z: the system's lengths
-// in reaches.
-FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
-  float points = float(s.end_point - s.first_point);
-  EXACT float enough = points * 0.5f;
-  EXACT float product = points + 1.0f;
-  EXACT float side = 0.5f;
-  for (uint turn = 0u; turn < 200u && product > enough; ++turn) {
-    EXACT float cells_x = x / side;
-    EXACT float cells_y = y / side;
-    EXACT float cells_z = z / side;
-    s.cells[0] = uint(larger(cells_x, 1.0f));
-    s.cells[1] = uint(larger(cells_y, 1.0f));
-    s.cells[2] = uint(larger(cells_z, 1.0f));
-    product = float(s.cells[0]) * float(s.cells[1]) * float(s.cells[2]);
-    if (s.cells[0] == 1u && s.cells[1] == 1u && s.cells[2] == 1u) return s;
-    side = side * 1.25f;
-  }
-  return s;
-}
-
-FN bool is_periodic(ListSystem s, uint k) { return (s.periodic >> k & 1u) != 0u; }
-
-FN double largest_reach(ListSystem s) {
-  EXACT double reach = s.reach + bound_above(s.extreme[LIST_LOOKING_RADIUS]);
-  return reach;
-}
-
-// Where the cells along axis k begin, how long it is, by how much coordinates may be off, and its length in reaches.
-struct ListAxis {
-  double low, extent, slack;
-  float reaches;
-};
-FN ListAxis list_axis(ListSystem s, uint k) {
-  double zero = bits_double(0u, 0u);
-  double one = bits_double(0x3FF00000u, 0u);
-  bool some = s.extreme[LIST_HIGH + k] != 0u;
-  ListAxis axis;
-  axis.low = is_periodic(s, k) || !some ? zero : bound_below(s.extreme[LIST_LOW + k]);
-  EXACT double measured = bound_above(s.extreme[LIST_HIGH + k]) - axis.low;
-  axis.extent = is_periodic(s, k) ? one : some ? measured : zero;
-  EXACT double wide = largest_reach(s) * s.span[k];
-  EXACT double ratio = axis.extent / wide;
-  EXACT double most = wide * bits_double(0x41CDCD65u, 0u);  // 1e9 reaches
-  axis.reaches = !(axis.extent > zero) ? 1.0f : axis.extent >= most ? 1.0e9f : float(ratio);
-  EXACT double slack = bound_above(s.extreme[LIST_LARGEST]) * s.span[k] * bits_double((1023u - 46u) << 20, 0u) +
-                       (is_periodic(s, k) ? bits_double(0x3EB0C6F8u, 0u) : zero);  // 1e-6
-  axis.slack = slack;
-  return axis;
-}
-
-// Upper bounds: of a wrapped point's coordinates and its reach; of the numbers that are added to move a point to an
-// image.
-FN double list_size(ListSystem s) {
-  EXACT double largest = bits_double(0u, 0u);
-  for (uint axis = 0u; axis < 3u; ++axis) {
-    EXACT double along = bits_double(0u, 0u);
-    for (uint k = 0u; k < 3u; ++k) along = along + list_axis(s, k).extent * magnitude(s.row.of[3u * k + axis]);
-    if (along > largest) largest = along;
-  }
-  EXACT double size = largest + largest_reach(s);
-  return size;
-}
-FN double list_added(ListSystem s) {
-  EXACT double added = bound_above(s.extreme[LIST_LARGEST]);
-  for (uint k = 0u; k < 3u; ++k) {
-    EXACT double boxes =
-        double(s.extreme[LIST_CELLS + k]) + largest_reach(s) * s.span[k] + bits_double(0x40000000u, 0u);
-    if (is_periodic(s, k)) added = added + boxes * s.edge[k];
-  }
-  return added;
-}
-
-// Sets the images along each axis that a wrapped point of 0 <= coordinate <= 1 may reach, and the bits of their number.
-FN ListSystem with_images(ListSystem s) {
-  EXACT double all = bits_double(0x3FF00000u, 0u);
-  for (uint k = 0u; k < 3u; ++k) {
-    EXACT double span = largest_reach(s) * s.span[k] + list_axis(s, k).slack;
-    uint images = span < bits_double(0x41300000u, 0u) ? uint(span) + 1u : 1048577u;  // 2^20
-    s.images[k] = is_periodic(s, k) ? images : 0u;
-    all = all * double(2u * s.images[k] + 1u);
-  }
-  s.key_bits = 0u;
-  while (s.key_bits < 32u && double(1u << s.key_bits) < all) ++s.key_bits;
-  return s;
-}
-
-// The cells of a system, from its extremes. With u = 2^-53: a coordinate, and a wrapped point's distance from another,
-// are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers. In float32 and scaled, five
-// numbers are rounded along each axis: each is below 1 and off by 2^-25 at most, three of a query below 2 and off
-// by 2^-24. That moves a distance by less than 2^-21. So near its reach c <= r a distance d is off by e at most, and
-// d^2 - c^2 by less than e (2r + e). Squares and reaches are rounded seven times, each time by 2^-24 (r + e)^2 at most;
-// 2^-20 (r + e)^2 covers twice as much.
-FN ListSystem list_planned(ListSystem s, ListState state) {
-  double zero = bits_double(0u, 0u);
-  EXACT double reach = state.cutoff + state.skin + bound_above(s.extreme[LIST_RADIUS]);
-  s.reach = reach;
-  ListAxis x = list_axis(s, 0u);
-  ListAxis y = list_axis(s, 1u);
-  ListAxis z = list_axis(s, 2u);
-  s = with_cells(s, x.reaches, y.reaches, z.reaches);
-  s = with_images(s);
-  double size = list_size(s);
-  uint exponent = (double_high(size) >> 20) + 1u;  // of a power of two above the size
-  s.scale = size > zero ? bits_double((2046u - exponent) << 20, 0u) : bits_double(0x3FF00000u, 0u);
-  EXACT double rounded = list_added(s) * s.scale * bits_double((1023u - 46u) << 20, 0u);
-  EXACT double error = rounded * bits_double(0x40200000u, 0u) + bits_double((1023u - 21u) << 20, 0u);
-  EXACT double farthest = largest_reach(s) * s.scale + error;
-  EXACT double tolerance = farthest * (error + error + farthest * bits_double((1023u - 20u) << 20, 0u));
-  s.tolerance = float(tolerance);
-  for (uint k = 0u; k < 3u; ++k) {
-    ListAxis axis = list_axis(s, k);
-    EXACT double per_unit = double(s.cells[k]) / axis.extent;
-    s.low[k] = axis.low;
-    s.slack[k] = axis.slack;
-    s.cells_per_unit[k] = axis.extent > zero ? per_unit : zero;
-    EXACT double origin = zero;
-    for (uint open = 0u; open < 3u; ++open)
-      if (!is_periodic(s, open)) origin = origin + list_axis(s, open).low * s.row.of[3u * open + k];
-    s.origin[k] = origin;
-  }
-  return s;
-}
-
-// Whether the points of a system times the images within its reach are more than keys can number.
-FN bool spans_too_much(ListSystem s) {
-  if (s.key_bits > 31u) return true;
-  EXACT double keys = double(s.end_point - s.first_point) * double(1u << s.key_bits);
-  return keys > bits_double(0x41F00000u, 0u);  // 2^32
 }
 
 #endif

@@ -39,6 +39,34 @@ __device__ inline uint element_of(const KernelBuffers& buf, uint i) {
 
 __device__ inline uint64_t column_index(uint64_t at) { return at; }  // CUDA only: 64 bits
 
+// Numbers of images within reach, in order: to either side of a system, along two axes, and that of no image.
+struct Images {
+  ivec4 most;
+  uint along_y, along_z, none;
+};
+__device__ inline Images images_of(const KernelBuffers& buf, uint s) {
+  Images images;
+  images.most =
+      ivec4{int(buf.list_system[s].images[0]), int(buf.list_system[s].images[1]), int(buf.list_system[s].images[2]), 0};
+  images.along_y = 2u * uint(images.most.y) + 1u;
+  images.along_z = 2u * uint(images.most.z) + 1u;
+  images.none = (uint(images.most.x) * images.along_y + uint(images.most.y)) * images.along_z + uint(images.most.z);
+  return images;
+}
+__device__ inline uint number_of_image(Images images, ivec4 image) {
+  uint x_and_y = uint(image.x + images.most.x) * images.along_y + uint(image.y + images.most.y);
+  return x_and_y * images.along_z + uint(image.z + images.most.z);
+}
+__device__ inline ivec4 image_of(Images images, uint number) {
+  if (number == images.none) return ivec4{0, 0, 0, 0};
+  uint x_and_y = number / images.along_z;
+  uint x = x_and_y / images.along_y;
+  return ivec4{int(x) - images.most.x, int(x_and_y - x * images.along_y) - images.most.y,
+               int(number - x_and_y * images.along_z) - images.most.z, 0};
+}
+
+__device__ inline int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
 __device__ inline int floor_of(double x) {
   int below = int(x);
   return double(below) > x ? below - 1 : below;

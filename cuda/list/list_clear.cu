@@ -14,6 +14,7 @@ __global__ void __launch_bounds__(BLOCK) list_clear(Params p, KernelBuffers buf)
   buf.list_state[0].wrong = 0u;
   buf.list_state[0].far = 0u;
   buf.list_state[0].wide = 0u;
+  buf.list_state[0].longer = 0u;
 }
 
 Entry list_clear_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_clear); }

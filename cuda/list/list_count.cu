@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
-// One thread per row of the list, or several where there are few rows: counts its pairs, and keeps their keys.
+// One group per 2^row_bits rows of the list, in the order of their cells: counts their pairs, and keeps their keys.
 #include "cuda/list/list_row.cuh"
 
 namespace spherepair {
 
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuffers buf) {
-  if (!is_right(buf)) return;
-  uint thread = threadIdx.x;
-  uint bits = buf.list_state[0].row_bits;
-  uint k = (group_index(p) * LIST_BLOCK + thread) >> bits;
-  uint lanes = 1u << bits;
-  uint lane = thread & (lanes - 1u);
+  uint first = group_index(p) << buf.list_state[0].row_bits;
+  if (!is_right(buf) || first >= buf.list_state[0].looking) return;
+  uint k = first + lane_of_row(buf);
   bool looks = k < buf.list_state[0].looking;
-  found[thread] = 0u;
-  __syncthreads();
-  if (looks) {
-    KeyRange kept;
-    kept.first = uint64_t(buf.list_look[k].i) * uint64_t(buf.list_state[0].kept);
-    kept.count = buf.list_state[0].kept;
-    find_pairs(buf, buf.list_look[k], lane, lanes, kept, thread >> bits);
+  uint i = buf.list_look[looks ? k : first].i;
+  KeyRange kept;
+  kept.count = buf.list_state[0].kept;
+  kept.first = uint64_t(i) * uint64_t(kept.count);
+  found[lane_of_row(buf)] = 0u;
+  find_pairs(buf, k, looks, first, kept);
+  if (looks && threadIdx.x < group_rows(buf)) {
+    uint length = found[lane_of_row(buf)];
+    buf.row_length[i] = length;
+    if (length > kept.count) buf.list_state[0].longer = 1u;
   }
-  __syncthreads();
-  if (looks && lane == 0u) buf.row_length[buf.list_look[k].i] = found[thread >> bits];
 }
 
 Entry list_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_count); }

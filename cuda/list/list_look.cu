@@ -11,14 +11,13 @@ __global__ void __launch_bounds__(BLOCK) list_look(Params p, KernelBuffers buf) 
   uint points = buf.list_state[0].points;
   if (k >= points + buf.list_state[0].queries || !is_right(buf)) return;
   uint element = k < points ? buf.id[k] : k;
+  uint i = element - (k < points ? 0u : points);
   vec4 place = place_of(buf, element);
+  ListLook look = look_of(buf, i, element);
+  buf.sorted[k] = place;
   if (k >= points) {
-    buf.list_look[k - points] = look_of(buf, k - points, element, ~0u, place);
-  } else if (has_flag(buf, LIST_ASKS)) {
-    buf.sorted[k] = place;
-  } else {
-    ListLook look = look_of(buf, element, element, k, place);
-    buf.sorted[k] = place;
+    buf.list_look[i] = look;
+  } else if (!has_flag(buf, LIST_ASKS)) {
     buf.list_look[k] = look;
   }
 }

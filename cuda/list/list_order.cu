@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One group per 2^order_bits rows, LIST_ORDER_ROWS at most: sorts the keys of each row, and writes its columns. If all
-// rows are short, a key's place is the number of smaller keys. Otherwise each row is sorted in chunks, and a key's
-// place is the sum of its places in all chunks. A row that does not fit in shared memory is done in several ranges of
-// keys.
+// One group per 2^order_bits rows, LIST_ORDER_BLOCK at most: sorts the keys of each row, and writes its columns. 2^bits
+// threads sort a row in registers, LIST_KEYS_EACH keys each; the longest row of a group decides how many. A row that is
+// too long for 32 threads is done in several ranges of keys.
 #include "cuda/list/list_length.cuh"
 
 namespace spherepair {
 
-__shared__ uint keys[LIST_ROOM];
-__shared__ uint ordered[LIST_ROOM];
-__shared__ uint row_begin[LIST_ORDER_ROWS + 1u];  // less that of the first
-__shared__ uint has_long_row;
-__shared__ uint found;
-
-constexpr uint KEYS_EACH = LIST_CHUNK / 32u;  // of a thread that sorts a chunk with 31 others
+__shared__ uint keys[LIST_SLOT * LIST_ORDER_BLOCK];
+__shared__ uint lengths[LIST_ORDER_BLOCK];  // of the rows in `keys`
+__shared__ uint longest, found;
 
 // CUDA only from here: threads of a warp exchange values by themselves
 __device__ inline uint exchanged(uint value, uint mask) { return __shfl_xor_sync(~0u, value, mask); }
@@ -21,144 +16,135 @@ __device__ inline uint exchanged(uint value, uint mask) { return __shfl_xor_sync
 
 // What the keys of a row have in common.
 struct RowKeys {
-  ivec4 place;                // of the point or query
-  uint first_point, bits;     // of the system; of an image's number
-  ivec4 images;               // of the system, to either side
-  uint along_y, along_z, at;  // numbers of images; the number of (0, 0, 0)
+  ivec4 place;             // of the point or query
+  uint first_point, bits;  // of the system; of an image's number
+  Images images;
 };
-__device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i, uint flags) {
+__device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i) {
   RowKeys row;
-  row.place = buf.list_place[(flags & LIST_ASKS) != 0u ? buf.list_state[0].points + i : i];
+  row.place = buf.list_place[element_of(buf, i)];
   uint s = uint(row.place.w);
   row.first_point = buf.list_system[s].first_point;
   row.bits = buf.list_system[s].key_bits;
-  row.images =
-      ivec4{int(buf.list_system[s].images[0]), int(buf.list_system[s].images[1]), int(buf.list_system[s].images[2]), 0};
-  row.along_y = 2u * uint(row.images.y) + 1u;
-  row.along_z = 2u * uint(row.images.z) + 1u;
-  row.at = (uint(row.images.x) * row.along_y + uint(row.images.y)) * row.along_z + uint(row.images.z);
+  row.images = images_of(buf, s);
   return row;
 }
 
-__device__ inline ivec4 image_of(RowKeys row, uint number) {
-  if (number == row.at) return ivec4{0, 0, 0, 0};
-  uint x_and_y = number / row.along_z;
-  uint x = x_and_y / row.along_y;
-  return ivec4{int(x) - row.images.x, int(x_and_y - x * row.along_y) - row.images.y,
-               int(number - x_and_y * row.along_z) - row.images.z, 0};
-}
-
-__device__ inline void write_pair(const KernelBuffers& buf, RowKeys row, uint i, uint64_t at, uint key, uint flags) {
-  uint j = row.first_point + (key >> row.bits);
+// Writes the n-th pair, whose key is sorted. other: the place of its second point.
+__device__ inline void write_pair(const KernelBuffers& buf, RowKeys row, uint i, uint64_t n, uint key, ivec4 other,
+                                  uint flags) {
   if ((flags & LIST_WANTS_SHIFTS) != 0u) {
-    ivec4 image = image_of(row, key & ((1u << row.bits) - 1u));
-    ivec4 other = buf.list_place[j];
-    buf.list_shift[3u * column_index(at)] = image.x + row.place.x - other.x;
-    buf.list_shift[3u * column_index(at) + 1u] = image.y + row.place.y - other.y;
-    buf.list_shift[3u * column_index(at) + 2u] = image.z + row.place.z - other.z;
+    ivec4 image = image_of(row.images, key & ((1u << row.bits) - 1u));
+    buf.list_shift[3u * column_index(n)] = image.x + row.place.x - other.x;
+    buf.list_shift[3u * column_index(n) + 1u] = image.y + row.place.y - other.y;
+    buf.list_shift[3u * column_index(n) + 2u] = image.z + row.place.z - other.z;
   }
-  if ((flags & LIST_WANTS_FIRST) != 0u) buf.list_first[column_index(at)] = i;
-  if ((flags & LIST_WANTS_SECOND) != 0u) buf.list_second[column_index(at)] = j;
+  if ((flags & LIST_WANTS_FIRST) != 0u) buf.list_first[column_index(n)] = i;
+  if ((flags & LIST_WANTS_SECOND) != 0u) buf.list_second[column_index(n)] = row.first_point + (key >> row.bits);
 }
 
-// The row that has the k-th key of the group.
-__device__ inline uint row_of_key(const KernelBuffers& buf, uint k) {
-  uint row = 0u;
-  for (uint step = LIST_ORDER_ROWS / 2u; step != 0u; step /= 2u)
-    if (row_begin[row + step] <= k) row += step;
-  return row;
-}
+struct OwnKeys {
+  uint of[LIST_KEYS_EACH];
+};
 
-// Sorts rows from..to-1 of the group, and writes their columns.
-__device__ inline void order_short_rows(const KernelBuffers& buf, uint first, uint from, uint to, uint flags) {
-  uint64_t begin = uint64_t(buf.list_begin[first]) + uint64_t(row_begin[from]);
-  uint before = row_begin[from];
-  uint total = row_begin[to] - before;
-  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
-    uint row = row_of_key(buf, before + k);
-    uint n = before + k - row_begin[row];
-    keys[k] =
-        buf.list_keys[column_index(keys_at(buf, first + row, row_begin[row + 1u] - row_begin[row]) + uint64_t(n))];
-  }
-  __syncthreads();
-  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
-    uint row = row_of_key(buf, before + k);
-    uint end = row_begin[row + 1u] - before;
-    uint key = keys[k];
-    uint place = row_begin[row] - before;
-    for (uint n = place; n < end; ++n) place += uint(keys[n] < key);
-    ordered[place] = key;
-  }
-  __syncthreads();
-  for (uint k = threadIdx.x; k < total; k += LIST_ORDER_BLOCK) {
-    uint i = first + row_of_key(buf, before + k);
-    write_pair(buf, keys_of_row(buf, i, flags), i, begin + uint64_t(k), ordered[k], flags);
-  }
-  __syncthreads();
-}
-
-// Sorts a chunk of keys by 32 threads, bitonic. Each then holds KEYS_EACH consecutive keys.
-__device__ inline void sort_chunk(uint begin, uint count) {
-  uint lane = threadIdx.x % 32u;
-  uint own[KEYS_EACH];
-  for (uint r = 0u; r < KEYS_EACH; ++r) {
-    uint k = begin + r * 32u + lane;
-    own[r] = k < count ? keys[k] : ~0u;
-  }
-  __syncthreads();
-#pragma unroll  // CUDA only: so that `own` stays in registers
-  for (uint bits = 1u; bits <= LIST_CHUNK_BITS; ++bits) {
-#pragma unroll  // CUDA only: as above
-    for (uint down = 1u; down <= bits; ++down) {
-      uint stride = 1u << (bits - down);
-#pragma unroll  // CUDA only: as above
-      for (uint r = 0u; r < KEYS_EACH; ++r) {
-        bool ascends = ((lane * KEYS_EACH + r) >> bits & 1u) == 0u;
-        if (stride >= KEYS_EACH) {
-          uint other = exchanged(own[r], stride / KEYS_EACH);
-          bool first = (lane & (stride / KEYS_EACH)) == 0u;
-          own[r] = first == ascends ? min(own[r], other) : max(own[r], other);
-        } else if ((r & stride) == 0u) {
-          uint low = min(own[r], own[r + stride]);
-          uint high = max(own[r], own[r + stride]);
-          own[r] = ascends ? low : high;
-          own[r + stride] = ascends ? high : low;
-        }
-      }
+// A step of the sort among the keys of a thread, whose first key is given: compares those that are a stride apart. Keys
+// ascend where bit `level` of their index is 0.
+__device__ inline OwnKeys compared(OwnKeys own, uint first, uint level, uint stride) {
+#pragma unroll  // CUDA only: so that keys stay in registers
+  for (uint r = 0u; r < LIST_KEYS_EACH; ++r) {
+    if ((r & stride) == 0u) {
+      bool ascends = ((first + r) >> level & 1u) == 0u;
+      uint low = min(own.of[r], own.of[r + stride]);
+      uint high = max(own.of[r], own.of[r + stride]);
+      own.of[r] = ascends ? low : high;
+      own.of[r + stride] = ascends ? high : low;
     }
   }
-  for (uint r = 0u; r < KEYS_EACH; ++r)
-    if (begin < count) keys[begin + lane * KEYS_EACH + r] = own[r];
+  return own;
 }
 
-// Returns how many keys of a sorted chunk are smaller.
-__device__ inline uint smaller_in_chunk(uint chunk, uint key) {
-  uint rank = 0u;
-  for (uint step = LIST_CHUNK / 2u; step != 0u; step /= 2u)
-    if (keys[chunk * LIST_CHUNK + rank + step - 1u] < key) rank += step;
-  return rank + uint(keys[chunk * LIST_CHUNK + rank] < key);
+// Sorts the keys of 2^bits threads, bitonic. Each then has LIST_KEYS_EACH consecutive keys.
+__device__ inline OwnKeys sorted_keys(OwnKeys own, uint bits) {
+  uint first = (threadIdx.x & ((1u << bits) - 1u)) * LIST_KEYS_EACH;
+#pragma unroll  // CUDA only: as above
+  for (uint level = 1u; level <= LIST_EACH_BITS; ++level)
+#pragma unroll  // CUDA only: as above
+    for (uint down = 1u; down <= level; ++down) own = compared(own, first, level, 1u << (level - down));
+  for (uint level = LIST_EACH_BITS + 1u; level <= LIST_EACH_BITS + bits; ++level) {
+    for (uint stride = 1u << (level - 1u); stride >= LIST_KEYS_EACH; stride /= 2u) {
+      bool least = ((first >> level & 1u) == 0u) == ((first & stride) == 0u);
+#pragma unroll  // CUDA only: as above
+      for (uint r = 0u; r < LIST_KEYS_EACH; ++r) {
+        uint other = exchanged(own.of[r], stride / LIST_KEYS_EACH);
+        own.of[r] = least ? min(own.of[r], other) : max(own.of[r], other);
+      }
+    }
+#pragma unroll  // CUDA only: as above
+    for (uint down = 1u; down <= LIST_EACH_BITS; ++down) own = compared(own, first, level, LIST_KEYS_EACH >> down);
+  }
+  return own;
 }
 
-__device__ inline void write_sorted(const KernelBuffers& buf, uint i, uint64_t begin, uint count, uint flags) {
+// Sorts rows, a row for 2^bits threads. Key n of a row is then n + n / LIST_KEYS_EACH words behind its first in `keys`.
+__device__ inline void sort_rows(OwnKeys own, uint bits) {
   uint thread = threadIdx.x;
-  uint chunks = (count + LIST_CHUNK - 1u) / LIST_CHUNK;
-  for (uint chunk = 0u; chunk < chunks; chunk += LIST_ORDER_BLOCK / 32u)
-    sort_chunk((chunk + thread / 32u) * LIST_CHUNK, count);
+  own = sorted_keys(own, bits);
+  uint begin = (thread >> bits) * (LIST_SLOT << bits) + (thread & ((1u << bits) - 1u)) * LIST_SLOT;
+#pragma unroll  // CUDA only: as above
+  for (uint r = 0u; r < LIST_KEYS_EACH; ++r) keys[begin + r] = own.of[r];
   __syncthreads();
-  for (uint k = thread; k < count; k += LIST_ORDER_BLOCK) {
-    uint rank = k % LIST_CHUNK;
-    for (uint chunk = 0u; chunk < chunks; ++chunk)
-      if (chunk != k / LIST_CHUNK) rank += smaller_in_chunk(chunk, keys[k]);
-    ordered[rank] = keys[k];
+}
+
+// Writes the columns of sorted rows from row i on, behind the pairs of each that are written.
+__device__ inline void write_rows(const KernelBuffers& buf, uint i, uint rows, uint bits, uint64_t written) {
+  uint flags = buf.list_state[0].flags;
+  uint lanes = min(4u << bits, 32u);
+  for (uint row = threadIdx.x / lanes; row < rows; row += LIST_ORDER_BLOCK / lanes) {
+    RowKeys row_keys = keys_of_row(buf, i + row);
+    uint64_t begin = uint64_t(buf.list_begin[i + row]) + written;
+    uint length = lengths[row];
+    for (uint n = threadIdx.x % lanes; n < length; n += LIST_WRITES * lanes) {
+      uint key[LIST_WRITES];
+      ivec4 other[LIST_WRITES];
+#pragma unroll  // CUDA only: as above
+      for (uint q = 0u; q < LIST_WRITES; ++q) {
+        uint own = min(n + q * lanes, length - 1u);
+        key[q] = keys[row * (LIST_SLOT << bits) + own + own / LIST_KEYS_EACH];
+        if ((flags & LIST_WANTS_SHIFTS) != 0u)
+          other[q] = buf.list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
+      }
+#pragma unroll  // CUDA only: as above
+      for (uint q = 0u; q < LIST_WRITES; ++q)
+        if (n + q * lanes < length)
+          write_pair(buf, row_keys, i + row, begin + uint64_t(n + q * lanes), key[q], other[q], flags);
+    }
   }
   __syncthreads();
-  RowKeys row = keys_of_row(buf, i, flags);
-  for (uint k = thread; k < count; k += LIST_ORDER_BLOCK)
-    write_pair(buf, row, i, begin + uint64_t(k), ordered[k], flags);
-  __syncthreads();
 }
 
-// Copies the keys low <= key < high to shared memory, LIST_ROOM at most. Returns how many there are.
+// Rows of which none is longer than 2^bits threads can sort.
+__device__ inline void order_rows(const KernelBuffers& buf, uint first, uint rows, uint bits) {
+  uint thread = threadIdx.x;
+  uint row = thread >> bits;
+  uint lane = thread & ((1u << bits) - 1u);
+  for (uint turn = 0u; turn < rows; turn += LIST_ORDER_BLOCK >> bits) {
+    uint here = min(rows - turn, LIST_ORDER_BLOCK >> bits);
+    uint i = first + turn + min(row, here - 1u);
+    uint length = row < here ? buf.row_length[i] : 0u;
+    uint64_t from = keys_at(buf, i, length);
+    OwnKeys own;
+#pragma unroll  // CUDA only: as above
+    for (uint r = 0u; r < LIST_KEYS_EACH; ++r) {
+      uint n = (r << bits) + lane;
+      own.of[r] = n < length ? buf.list_keys[column_index(from + uint64_t(n))] : ~0u;
+    }
+    if (lane == 0u) lengths[row] = length;
+    sort_rows(own, bits);
+    write_rows(buf, first + turn, here, bits, uint64_t(0u));
+  }
+}
+
+// Copies the keys low <= key < high to shared memory, LIST_MOST_KEYS at most. Returns how many there are.
 __device__ inline uint keys_between(const KernelBuffers& buf, uint64_t first, uint length, uint64_t low,
                                     uint64_t high) {
   __syncthreads();
@@ -168,36 +154,38 @@ __device__ inline uint keys_between(const KernelBuffers& buf, uint64_t first, ui
     uint key = buf.list_keys[column_index(first + uint64_t(k))];
     if (uint64_t(key) < low || uint64_t(key) >= high) continue;
     uint n = atomicAdd(&found, 1u);
-    if (n < LIST_ROOM) keys[n] = key;
+    if (n < LIST_MOST_KEYS) keys[n] = key;
   }
   __syncthreads();
   return found;
 }
 
-__device__ inline void order_long_row(const KernelBuffers& buf, uint i, uint flags) {
-  uint64_t row = uint64_t(buf.list_begin[i]);
+__device__ inline void order_long_row(const KernelBuffers& buf, uint i) {
   uint length = buf.row_length[i];
   uint64_t first = keys_at(buf, i, length);
-  if (length <= LIST_ROOM) {
-    for (uint k = threadIdx.x; k < length; k += LIST_ORDER_BLOCK)
-      keys[k] = buf.list_keys[column_index(first + uint64_t(k))];
-    __syncthreads();
-    write_sorted(buf, i, row, length, flags);
-    return;
-  }
-  uint64_t written = uint64_t(0u);
+  RowKeys row = keys_of_row(buf, i);
+  uint64_t step = uint64_t(buf.list_state[0].points) << row.bits;
   uint64_t low = uint64_t(0u);
-  uint64_t step = uint64_t(1u) << 32;
+  uint64_t written = uint64_t(0u);
   while (written < uint64_t(length)) {
     uint count = keys_between(buf, first, length, low, low + step);
-    if (count > LIST_ROOM) {
+    if (count > LIST_MOST_KEYS) {
       step = step >> 1;
       continue;
     }
-    write_sorted(buf, i, row + written, count, flags);
+    OwnKeys own;
+#pragma unroll  // CUDA only: as above
+    for (uint r = 0u; r < LIST_KEYS_EACH; ++r) {
+      uint n = r * 32u + threadIdx.x;
+      own.of[r] = threadIdx.x < 32u && n < count ? keys[n] : ~0u;
+    }
+    __syncthreads();
+    if (threadIdx.x == 0u) lengths[0] = count;
+    sort_rows(own, LIST_MOST_BITS);
+    write_rows(buf, i, 1u, LIST_MOST_BITS, written);
     written += uint64_t(count);
     low += step;
-    if (count < LIST_ROOM / 4u) step = step << 1;
+    if (count < LIST_MOST_KEYS / 4u) step = step << 1;
   }
 }
 
@@ -207,20 +195,17 @@ __global__ void __launch_bounds__(LIST_ORDER_BLOCK) list_order(Params p, KernelB
   if (first >= looking || !is_right(buf) || !has_room(buf)) return;
   uint rows = min(1u << buf.list_state[0].order_bits, looking - first);
   uint thread = threadIdx.x;
-  if (thread == 0u) has_long_row = 0u;
+  if (thread == 0u) longest = 0u;
   __syncthreads();
-  if (thread <= LIST_ORDER_ROWS)
-    row_begin[thread] = uint(buf.list_begin[first + min(thread, rows)] - buf.list_begin[first]);
-  if (thread < rows && buf.row_length[first + thread] > LIST_RANKED) atomicAdd(&has_long_row, 1u);
+  if (thread < rows) atomicMax(&longest, buf.row_length[first + thread]);
   __syncthreads();
-  uint flags = buf.list_state[0].flags;
-  if (has_long_row == 0u) {
-    uint half_group = LIST_ORDER_ROWS / 2u;
-    uint middle = row_begin[LIST_ORDER_ROWS] > LIST_ROOM ? half_group : LIST_ORDER_ROWS;
-    order_short_rows(buf, first, 0u, middle, flags);
-    if (middle == half_group) order_short_rows(buf, first, middle, LIST_ORDER_ROWS, flags);
+  uint most = longest;
+  uint bits = 0u;
+  while (bits < LIST_MOST_BITS && most > LIST_KEYS_EACH << bits) ++bits;
+  if (most <= LIST_MOST_KEYS) {
+    order_rows(buf, first, rows, bits);
   } else {
-    for (uint row = 0u; row < rows; ++row) order_long_row(buf, first + row, flags);
+    for (uint row = 0u; row < rows; ++row) order_long_row(buf, first + row);
   }
 }
 

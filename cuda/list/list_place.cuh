@@ -12,8 +12,6 @@ __device__ inline vec4 place_of(const KernelBuffers& buf, uint element) {
               float(radius)};
 }
 
-__device__ inline int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
 // The first and the last cell of the reach along an axis.
 __device__ inline ivec2 cells_within(const KernelBuffers& buf, uint element, uint s, uint k) {
   EXACT double at = wrapped_coordinate(buf, element, k) - buf.list_system[s].low[k];
@@ -31,32 +29,16 @@ __device__ inline ivec2 cells_within(const KernelBuffers& buf, uint element, uin
   return ivec2{floor_of(low), floor_of(high)};
 }
 
-__device__ inline ListLook look_of(const KernelBuffers& buf, uint i, uint element, uint self, vec4 place) {
+__device__ inline ListLook look_of(const KernelBuffers& buf, uint i, uint element) {
   uint s = uint(buf.list_place[element].w);
-  ivec2 x = cells_within(buf, element, s, 0u);
-  ivec2 y = cells_within(buf, element, s, 1u);
-  ivec2 z = cells_within(buf, element, s, 2u);
-  int cells_x = int(buf.list_system[s].cells[0]);
-  int cells_y = int(buf.list_system[s].cells[1]);
-  int cells_z = int(buf.list_system[s].cells[2]);
-  EXACT double reach =
-      (buf.list_state[0].cutoff + buf.list_state[0].skin + buf.list_given[element].w) * buf.list_system[s].scale;
-  place.w = float(reach);
   ListLook look;
-  look.place = place;
-  look.image_x = floor_divide(x.x, cells_x);
-  look.image_y = floor_divide(y.x, cells_y);
-  look.image_z = floor_divide(z.x, cells_z);
-  look.cell_x = uint(x.x - look.image_x * cells_x);
-  look.cell_y = uint(y.x - look.image_y * cells_y);
-  look.cell_z = uint(z.x - look.image_z * cells_z);
-  bool none = x.y < x.x || y.y < y.x || z.y < z.x;
-  look.along_x = uint(x.y - x.x + 1);
-  look.along_y = none ? 1u : uint(y.y - y.x + 1);
-  look.along_z = none ? 0u : uint(z.y - z.x + 1);
+  for (uint k = 0u; k < 3u; ++k) {
+    ivec2 cells = cells_within(buf, element, s, k);
+    look.low[k] = cells.x;
+    look.high[k] = cells.y + 1;
+  }
   look.i = i;
   look.system = s;
-  look.self = self;
   return look;
 }
 

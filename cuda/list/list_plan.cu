@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread per system: its cells.
+#include "common/shared/list_plan.h"
 #include "cuda/list/list.cuh"
 
 namespace spherepair {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // One group per system of up to LIST_PREPARED points and queries: measures it, plans its cells, bins its points and
 // writes what each looks through. For larger systems list_clear to list_look do so one after the other.
+#include "common/shared/list_plan.h"
 #include "cuda/list/list_extremes.cuh"
 #include "cuda/list/list_place.cuh"
 
 namespace spherepair {
 
-__shared__ uint cell_begin[LIST_PREPARED / 2u];
+__shared__ uint cell_begin[LIST_PREPARED / 4u];
 __shared__ uint sums[LIST_PREPARE_BLOCK];
 
-constexpr uint CELLS_EACH = LIST_PREPARED / 2u / uint(LIST_PREPARE_BLOCK);  // a cell has two points on average
+constexpr uint CELLS_EACH = LIST_PREPARED / 4u / uint(LIST_PREPARE_BLOCK);  // a cell has four points on average
 
 // The k-th of the system's points, then queries.
 __device__ inline uint element_at(const KernelBuffers& buf, uint s, uint k) {
@@ -60,7 +61,7 @@ __global__ void __launch_bounds__(LIST_PREPARE_BLOCK) list_prepare(Params p, Ker
   uint elements = points + buf.list_system[s].end_query - buf.list_system[s].first_query;
   if (lane == 0u) group_system = s;
   if (lane < LIST_EXTREMES) extreme[lane] = 0u;
-  for (uint c = lane; c < LIST_PREPARED / 2u; c += LIST_PREPARE_BLOCK) cell_begin[c] = 0u;
+  for (uint c = lane; c < LIST_PREPARED / 4u; c += LIST_PREPARE_BLOCK) cell_begin[c] = 0u;
   __syncthreads();
   Extremes own = no_extremes();
   for (uint k = lane; k < elements; k += LIST_PREPARE_BLOCK) own = measured(buf, own, element_at(buf, s, k), s);
@@ -82,15 +83,14 @@ __global__ void __launch_bounds__(LIST_PREPARE_BLOCK) list_prepare(Params p, Ker
     uint element = element_at(buf, s, k);
     vec4 place = place_of(buf, element);
     if (k >= points) {
-      uint i = element - buf.list_state[0].points;
-      buf.list_look[i] = look_of(buf, i, element, ~0u, place);
+      buf.sorted[element] = place;
+      buf.list_look[element - buf.list_state[0].points] = look_of(buf, element - buf.list_state[0].points, element);
     } else {
       uvec2 bin = buf.list_bins[element];
       uint at = first_point + cell_begin[bin.x] + bin.y;
-      ListLook look = look_of(buf, element, element, at, place);
       buf.id[at] = element;
       buf.sorted[at] = place;
-      if (!asks) buf.list_look[at] = look;
+      if (!asks) buf.list_look[at] = look_of(buf, element, element);
     }
   }
 }

@@ -25,11 +25,14 @@ __global__ void __launch_bounds__(BLOCK) list_scan(Params p, KernelBuffers buf) 
   uint lane = threadIdx.x;
   uint looking = buf.list_state[0].looking;
   if (group_index(p) * LIST_TILE >= looking) return;
-  uint64_t share = uint64_t(0u);
-  for (uint tile = lane; tile < group_index(p); tile += BLOCK) share += buf.list_sum[tile];
-  sum_up_to(lane, share);
-  uint64_t before = sums[BLOCK - 1u];
-  __syncthreads();
+  uint64_t before = uint64_t(0u);
+  if (group_index(p) != 0u) {
+    uint64_t share = uint64_t(0u);
+    for (uint tile = lane; tile < group_index(p); tile += BLOCK) share += buf.list_sum[tile];
+    sum_up_to(lane, share);
+    before = sums[BLOCK - 1u];
+    __syncthreads();
+  }
   uint first = group_index(p) * LIST_TILE + lane * (LIST_TILE / BLOCK);
   uint end = min(first + LIST_TILE / BLOCK, looking);
   uint64_t own = uint64_t(0u);

@@ -14,4 +14,5 @@ void main() {
   list_state[0].wrong = 0u;
   list_state[0].far = 0u;
   list_state[0].wide = 0u;
+  list_state[0].longer = 0u;
 }

@@ -1,27 +1,25 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One thread per row of the list, or several where there are few rows: counts its pairs, and keeps their keys.
+// One group per 2^row_bits rows of the list, in the order of their cells: counts their pairs, and keeps their keys.
 #include "shaders/list/list_row.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict writeonly buffer RowLengthBuffer { uint row_length[]; };
-layout(local_size_x = LIST_BLOCK) in;
+layout(local_size_x = BLOCK) in;
 
 void main() {
-  if (!is_right()) return;
-  uint thread = gl_LocalInvocationID.x;
-  uint bits = list_state[0].row_bits;
-  uint k = (group_index() * LIST_BLOCK + thread) >> bits;
-  uint lanes = 1u << bits;
-  uint lane = thread & (lanes - 1u);
+  uint first = group_index() << list_state[0].row_bits;
+  if (!is_right() || first >= list_state[0].looking) return;
+  uint k = first + lane_of_row();
   bool looks = k < list_state[0].looking;
-  found[thread] = 0u;
-  barrier();
-  if (looks) {
-    KeyRange kept;
-    kept.first = uint64_t(list_look[k].i) * uint64_t(list_state[0].kept);
-    kept.count = list_state[0].kept;
-    find_pairs(list_look[k], lane, lanes, kept, thread >> bits);
+  uint i = list_look[looks ? k : first].i;
+  KeyRange kept;
+  kept.count = list_state[0].kept;
+  kept.first = uint64_t(i) * uint64_t(kept.count);
+  found[lane_of_row()] = 0u;
+  find_pairs(k, looks, first, kept);
+  if (looks && gl_LocalInvocationID.x < group_rows()) {
+    uint length = found[lane_of_row()];
+    row_length[i] = length;
+    if (length > kept.count) list_state[0].longer = 1u;
   }
-  barrier();
-  if (looks && lane == 0u) row_length[list_look[k].i] = found[thread >> bits];
 }

@@ -13,14 +13,13 @@ void main() {
   uint points = list_state[0].points;
   if (k >= points + list_state[0].queries || !is_right()) return;
   uint element = k < points ? id[k] : k;
+  uint i = element - (k < points ? 0u : points);
   vec4 place = place_of(element);
+  ListLook look = look_of(i, element);
+  sorted[k] = place;
   if (k >= points) {
-    list_look[k - points] = look_of(k - points, element, ~0u, place);
-  } else if (has_flag(LIST_ASKS)) {
-    sorted[k] = place;
-  } else {
-    ListLook look = look_of(element, element, k, place);
-    sorted[k] = place;
+    list_look[i] = look;
+  } else if (!has_flag(LIST_ASKS)) {
     list_look[k] = look;
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per system: its cells.
 #include "shaders/list/list.glsl"
+#include "common/shared/list_plan.h"
 
 layout(local_size_x = BLOCK) in;
 

@@ -9,6 +9,7 @@
 // until here
 #include "shaders/list/list_extremes.glsl"
 #include "shaders/list/list_place.glsl"
+#include "common/shared/list_plan.h"
 
 layout(std430, binding = SLOT_CELL) restrict writeonly buffer CellBuffer { uint cell[]; };
 layout(std430, binding = SLOT_LIST_BIN) restrict buffer ListBinBuffer { uvec2 list_bins[]; };
@@ -17,9 +18,9 @@ layout(std430, binding = SLOT_SORTED) restrict writeonly buffer SortedBuffer { v
 layout(std430, binding = SLOT_LIST_LOOK) restrict writeonly buffer ListLookBuffer { ListLook list_look[]; };
 layout(local_size_x = LIST_PREPARE_BLOCK) in;
 
-const uint CELLS_EACH = LIST_PREPARED / 2u / uint(LIST_PREPARE_BLOCK);  // a cell has two points on average
+const uint CELLS_EACH = LIST_PREPARED / 4u / uint(LIST_PREPARE_BLOCK);  // a cell has four points on average
 
-shared uint cell_begin[LIST_PREPARED / 2u];
+shared uint cell_begin[LIST_PREPARED / 4u];
 shared uint sums[LIST_PREPARE_BLOCK];
 
 // The k-th of the system's points, then queries.
@@ -72,7 +73,7 @@ void main() {
   uint elements = points + list_system[s].end_query - list_system[s].first_query;
   if (lane == 0u) group_system = s;
   if (lane < LIST_EXTREMES) extreme[lane] = 0u;
-  for (uint c = lane; c < LIST_PREPARED / 2u; c += LIST_PREPARE_BLOCK) cell_begin[c] = 0u;
+  for (uint c = lane; c < LIST_PREPARED / 4u; c += LIST_PREPARE_BLOCK) cell_begin[c] = 0u;
   barrier();
   Extremes own = no_extremes();
   for (uint k = lane; k < elements; k += LIST_PREPARE_BLOCK) own = measured(own, element_at(s, k), s);
@@ -94,15 +95,14 @@ void main() {
     uint element = element_at(s, k);
     vec4 place = place_of(element);
     if (k >= points) {
-      uint i = element - list_state[0].points;
-      list_look[i] = look_of(i, element, ~0u, place);
+      sorted[element] = place;
+      list_look[element - list_state[0].points] = look_of(element - list_state[0].points, element);
     } else {
       uvec2 bin = list_bins[element];
       uint at = first_point + cell_begin[bin.x] + bin.y;
-      ListLook look = look_of(element, element, at, place);
       id[at] = element;
       sorted[at] = place;
-      if (!asks) list_look[at] = look;
+      if (!asks) list_look[at] = look_of(element, element);
     }
   }
 }

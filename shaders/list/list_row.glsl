@@ -1,61 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The cells within a point's reach, as contiguous ranges of binned points, each in one image; which of these points the
-// list has; and their keys.
-#include "shaders/list/list.glsl"
+// The pairs of a group's rows: each row, a lane of its own, tests the points that the group has staged.
+#include "shaders/list/list_region.glsl"
 #include "common/shared/list_exact.h"
 
-layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
-layout(std430, binding = SLOT_ID) restrict readonly buffer IdBuffer { uint id[]; };
-layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
-layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
 layout(std430, binding = SLOT_LIST_KEY) restrict writeonly buffer ListKeyBuffer { uint list_keys[]; };
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-shared uint found[LIST_BLOCK];  // pairs of each row of the group
+shared uint found[LIST_ROWS];  // pairs of each row
 
-// A row of cells along x. The binned points begin <= k < end are its current range, all in one image.
-struct CellRow {
-  uint first, x, left;  // the cell at x = 0 of the system; the next cell, and how many
-  uint begin, end;
-  ivec4 image;
+// Room for the keys of a row.
+struct KeyRange {
+  uint64_t first;
+  uint count;
 };
-
-CellRow row_at(ListLook look, uint y, uint z) {
-  uint s = look.system;
-  y += look.cell_y;
-  z += look.cell_z;
-  uint cells_y = list_system[s].cells[1];
-  uint cells_z = list_system[s].cells[2];
-  uint beyond_y = y < cells_y ? 0u : y / cells_y;
-  uint beyond_z = z < cells_z ? 0u : z / cells_z;
-  CellRow row;
-  row.first = ((z - beyond_z * cells_z) * cells_y + y - beyond_y * cells_y) * list_system[s].cells[0];
-  row.first += list_system[s].first_cell;
-  row.x = look.cell_x;
-  row.left = look.along_x;
-  row.image = ivec4(look.image_x - 1, look.image_y + int(beyond_y), look.image_z + int(beyond_z), 0);
-  return row;
-}
-
-// Moves on to the next range, which lies in the next image.
-CellRow next_range(ListLook look, CellRow row) {
-  uint cells = min(row.left, list_system[look.system].cells[0] - row.x);
-  row.begin = cell[row.first + row.x];
-  row.end = cell[row.first + row.x + cells];
-  row.x = 0u;
-  row.left -= cells;
-  ++row.image.x;
-  return row;
-}
-
-// Where the point that looks lies, seen from an image.
-vec4 seen_from(ListLook look, ivec4 image) {
-  if (image.x == 0 && image.y == 0 && image.z == 0) return look.place;
-  EXACT float x = look.place.x - scaled_boxes(look.system, image, 0u);
-  EXACT float y = look.place.y - scaled_boxes(look.system, image, 1u);
-  EXACT float z = look.place.z - scaled_boxes(look.system, image, 2u);
-  return vec4(x, y, z, look.place.w);
-}
 
 bool is_excluded(uint i, uint j) {
   uint first = has_flag(LIST_ASKS) ? i : min(i, j);
@@ -96,20 +53,17 @@ bool is_within_reach(uint i, uint j, ivec4 image) {
                            list_state[0].skin, has_flag(LIST_INCLUSIVE));
 }
 
-// Tests up to 32 binned points in float32. Each has a bit, the last point the lowest: x has those that are within reach
+// Tests up to 32 staged points in float32. Each has a bit, the last point the lowest: x has those that are within reach
 // for certain, y also those that float32 leaves undecided.
-uvec2 filtered(ListLook look, CellRow row, uint begin, uint end, float tolerance) {
-  vec4 from = seen_from(look, row.image);
+uvec2 filtered(vec4 place, uint begin, uint end, float tolerance) {
   uvec2 bits = uvec2(0u, 0u);
   for (uint at = begin; at < end; ++at) {
-    vec4 other = sorted[at];
-    EXACT float x = other.x - from.x;
-    EXACT float y = other.y - from.y;
-    EXACT float z = other.z - from.z;
-    EXACT float reach = from.w + other.w;
-    EXACT float in_plane = multiply_add(x, x, y * y);
-    EXACT float squared = multiply_add(z, z, in_plane);
-    EXACT float beyond = multiply_add(reach, -reach, squared);
+    vec4 other = staged_point[at];
+    EXACT float x = other.x - place.x;
+    EXACT float y = other.y - place.y;
+    EXACT float z = other.z - place.z;
+    EXACT float reach = place.w + other.w;
+    float beyond = list_beyond(x, y, z, reach);
     EXACT float most = beyond + tolerance;
     EXACT float least = beyond - tolerance;
     bits.x = bits.x << 1 | float_bits(most) >> 31;
@@ -118,13 +72,14 @@ uvec2 filtered(ListLook look, CellRow row, uint begin, uint end, float tolerance
   return bits;
 }
 
-// Returns in x the bits of the points that the list pairs with the point that looks, in y those that float32 leaves
-// undecided. With `exact` these are decided on the numbers as given; otherwise x lacks them.
-uvec2 listed_points(ListLook look, CellRow row, uint begin, uint end, bool all, bool exact) {
-  uvec2 bits = filtered(look, row, begin, end, list_system[look.system].tolerance);
-  bool given = row.image.x == 0 && row.image.y == 0 && row.image.z == 0;
-  if (all && given && look.self >= begin && look.self < end) {
-    uint others = ~(1u << (end - 1u - look.self));
+// Returns in x the bits of the points that the list pairs with the row's, in y those that float32 leaves undecided.
+// With `exact` these are decided on the numbers as given; otherwise x lacks them.
+uvec2 listed_points(ListLook look, vec4 place, uint begin, uint end, bool all, bool exact) {
+  uvec2 bits = filtered(place, begin, end, list_system[look.system].tolerance);
+  uint own = own_point[lane_of_row()];
+  if (all && own >= begin && own < end) {
+    uint others = ~(1u << (end - 1u - own));
+    own_point[lane_of_row()] = ~0u;
     bits = uvec2(bits.x & others, bits.y & others);
   }
   uint undecided = bits.y & ~bits.x;
@@ -132,66 +87,80 @@ uvec2 listed_points(ListLook look, CellRow row, uint begin, uint end, bool all, 
   uint open = (all ? 0u : bits.x) | (exact ? undecided : 0u);
   while (open != 0u) {
     uint bit = open & (~open + 1u);
-    uint j = id[end - 1u - lowest_bit(open)];
+    uint key = staged_key[end - 1u - lowest_bit(open)];
     open ^= bit;
-    bool is_pair = is_wanted(look.i, j, row.image);
-    if (exact && is_pair && (undecided & bit) != 0u) is_pair = is_within_reach(look.i, j, row.image);
+    uint key_bits = list_system[look.system].key_bits;
+    uint j = list_system[look.system].first_point + (key >> key_bits);
+    ivec4 image = image_of(images_of(look.system), key & ((1u << key_bits) - 1u));
+    bool is_pair = is_wanted(look.i, j, image);
+    if (exact && is_pair && (undecided & bit) != 0u) is_pair = is_within_reach(look.i, j, image);
     listed = is_pair ? listed | bit : listed & ~bit;
   }
   return uvec2(listed, undecided);
 }
 
-// The number of an image, which the key of a pair ends with.
-uint number_of_image(uint s, ivec4 image) {
-  uint x = uint(image.x + int(list_system[s].images[0]));
-  uint y = uint(image.y + int(list_system[s].images[1]));
-  uint z = uint(image.z + int(list_system[s].images[2]));
-  return (x * (2u * list_system[s].images[1] + 1u) + y) * (2u * list_system[s].images[2] + 1u) + z;
-}
-
-// Room for the keys of a row.
-struct KeyRange {
-  uint64_t first;
-  uint count;
-};
-
-// Adds pairs to a row of the group, and writes their keys as far as there is room.
-void add_pairs(ListLook look, CellRow row, uint end, uint listed, KeyRange to, uint group_row) {
-  uint n = atomicAdd(found[group_row], count_bits(listed));
-  uint first_point = list_system[look.system].first_point;
-  uint key_bits = list_system[look.system].key_bits;
-  uint number = number_of_image(look.system, row.image);
+// Adds pairs to a row, and writes their keys as far as there is room.
+void add_pairs(uint end, uint listed, KeyRange to) {
+  uint n = atomicAdd(found[lane_of_row()], count_bits(listed));
   for (; listed != 0u && n < to.count; ++n) {
-    uint j = id[end - 1u - lowest_bit(listed)];
-    list_keys[column_index(to.first + uint64_t(n))] = (j - first_point) << key_bits | number;
+    list_keys[column_index(to.first + uint64_t(n))] = staged_key[end - 1u - lowest_bit(listed)];
     listed &= listed - 1u;
   }
 }
 
-// Adds a thread's share of the pairs of a row that float32 decides, or with `exact` only of those that it does not.
-// Returns whether there may be such pairs. Threads of one row take rows of cells in turns.
-bool look_through(ListLook look, uint lane, uint lanes, KeyRange to, uint group_row, bool exact) {
-  bool all = lists_all();
-  uint undecided = 0u;
-  uint z = 0u;
-  for (uint y = lane; true; y += lanes) {
-    for (; y >= look.along_y; y -= look.along_y) ++z;
-    if (z >= look.along_z) return undecided != 0u;
-    CellRow row = row_at(look, y, z);
-    while (row.left != 0u) {
-      row = next_range(look, row);
-      for (uint at = row.begin; at < row.end; at += 32u) {
-        uint end = min(at + 32u, row.end);
-        uvec2 listed = listed_points(look, row, at, end, all, exact);
-        undecided |= listed.y;
-        if (exact) listed.x &= listed.y;
-        if (listed.x != 0u) add_pairs(look, row, end, listed.x, to, group_row);
-      }
-    }
-  }
-  return false;
+// Tests the staged points from the first on, a share for each thread of a row. Returns the bits that are undecided.
+uint test_staged(ListLook look, vec4 place, uint first, uint end, KeyRange to, bool exact) {
+  uint bits = list_state[0].row_bits;
+  uint share = (end - first + (group_threads() >> bits) - 1u) / (group_threads() >> bits);
+  uint begin = first + (gl_LocalInvocationID.x >> bits) * share;
+  uint upto = min(begin + share, end);
+  if (begin >= upto) return 0u;
+  uvec2 listed = listed_points(look, place, begin, upto, lists_all(), exact);
+  if (exact) listed.x &= listed.y;
+  if (listed.x != 0u) add_pairs(upto, listed.x, to);
+  return listed.y;
 }
 
-void find_pairs(ListLook look, uint lane, uint lanes, KeyRange to, uint group_row) {
-  if (look_through(look, lane, lanes, to, group_row, false)) look_through(look, lane, lanes, to, group_row, true);
+// Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
+uint look_through(ListLook look, vec4 place, bool joins, uint first_row, KeyRange to, bool exact) {
+  uint thread = gl_LocalInvocationID.x;
+  float tolerance = list_system[leading.system].tolerance;
+  RowBox box = box_of_rows();
+  Region region = region_of_rows();
+  uint undecided = 0u;
+  if (thread == 0u) staged = 0u;
+  for (uint first = 0u; first < region.along_x * region.along_y * region.along_z; first += LIST_RANGES) {
+    set_ranges(region, first);
+    uint points = range_upto[LIST_RANGES];
+    for (uint k = 0u; k < points; k += group_threads()) {
+      if (k + thread < points) stage(region, box, tolerance, k + thread, first_row);
+      barrier();
+      uint have = staged;
+      bool tests = have >= group_threads();
+      if (tests && joins) undecided |= test_staged(look, place, have - group_threads(), have, to, exact);
+      barrier();
+      if (tests && thread == 0u) staged = have - group_threads();
+      barrier();
+    }
+  }
+  if (joins) undecided |= test_staged(look, place, 0u, staged, to, exact);
+  return undecided;
+}
+
+// All threads of a group call this. Row k is one of the group's, from the first on.
+void find_pairs(uint k, bool looks, uint first_row, KeyRange to) {
+  ListLook look = list_look[looks ? k : first_row];
+  vec4 place = sorted[(has_flag(LIST_ASKS) ? list_state[0].points : 0u) + (looks ? k : first_row)];
+  EXACT float part = list_system[look.system].reach_part + place.w;
+  place.w = part;
+  bool waits = looks && look.low[0] < look.high[0] && look.low[1] < look.high[1] && look.low[2] < look.high[2];
+  while (true) {
+    bool joins = joins_leader(look, waits);
+    if (leader == LIST_ROWS) return;
+    waits = waits && !joins;
+    bound_rows(look, place, joins);
+    if (look_through(look, place, joins, first_row, to, false) != 0u) undecided_rows = 1u;
+    barrier();
+    if (undecided_rows != 0u) look_through(look, place, joins, first_row, to, true);
+  }
 }

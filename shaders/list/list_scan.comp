@@ -27,11 +27,14 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   uint looking = list_state[0].looking;
   if (group_index() * LIST_TILE >= looking) return;
-  uint64_t share = uint64_t(0u);
-  for (uint tile = lane; tile < group_index(); tile += BLOCK) share += list_sum[tile];
-  sum_up_to(lane, share);
-  uint64_t before = sums[BLOCK - 1u];
-  barrier();
+  uint64_t before = uint64_t(0u);
+  if (group_index() != 0u) {
+    uint64_t share = uint64_t(0u);
+    for (uint tile = lane; tile < group_index(); tile += BLOCK) share += list_sum[tile];
+    sum_up_to(lane, share);
+    before = sums[BLOCK - 1u];
+    barrier();
+  }
   uint first = group_index() * LIST_TILE + lane * (LIST_TILE / BLOCK);
   uint end = min(first + LIST_TILE / BLOCK, looking);
   uint64_t own = uint64_t(0u);

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The region that a group looks through for the pairs of 2^row_bits rows. Rows are in the order of their points' cells.
+// Those that are near each other look together: the group passes over the cells within reach of any of them and stages,
+// in shared memory, the points within reach of the box around them.
+#include "shaders/list/list.glsl"
+
+layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
+layout(std430, binding = SLOT_ID) restrict readonly buffer IdBuffer { uint id[]; };
+layout(std430, binding = SLOT_SORTED) restrict readonly buffer SortedBuffer { vec4 sorted[]; };
+layout(std430, binding = SLOT_LIST_LOOK) restrict readonly buffer ListLookBuffer { ListLook list_look[]; };
+
+shared uint own_point[LIST_ROWS];  // where a row's own point is staged; ~0: nowhere
+shared uint leader, undecided_rows;
+shared ListLook leading;
+shared int bounds[LIST_BOUNDS * (LIST_ROWS + 1u)];  // of each row, then the least of all
+shared uint range_begin[LIST_RANGES];               // ranges of binned points, each in one image: where they begin, ...
+shared uint range_length[LIST_RANGES];
+shared uint range_upto[LIST_RANGES + 1u];  // ... the points of those before, ...
+shared uint range_image[LIST_RANGES];      // ... the image's number, ...
+shared vec4 range_shift[LIST_RANGES];      // ... and where it lies, scaled
+shared uint staged;
+shared vec4 staged_point[2u * LIST_BLOCK];
+shared uint staged_key[2u * LIST_BLOCK];
+
+uint group_threads() { return uint(BLOCK); }  // GLSL only: known to the compiler
+uint group_rows() { return 1u << list_state[0].row_bits; }
+uint lane_of_row() { return gl_LocalInvocationID.x & (group_rows() - 1u); }
+
+// Chooses the first row that waits, and returns whether this one looks together with it. No row: leader is LIST_ROWS.
+bool joins_leader(ListLook look, bool waits) {
+  uint lane = lane_of_row();
+  barrier();
+  if (gl_LocalInvocationID.x == 0u) {
+    leader = LIST_ROWS;
+    undecided_rows = 0u;
+  }
+  barrier();
+  if (waits) atomicMin(leader, lane);
+  barrier();
+  if (gl_LocalInvocationID.x == leader) leading = look;
+  own_point[lane] = ~0u;
+  barrier();
+  if (!waits || look.system != leading.system) return false;
+  bool near = true;
+  for (uint k = 0u; k < 3u; ++k) {
+    int apart = look.low[k] - leading.low[k];
+    near = near && apart <= LIST_NEAR && -apart <= LIST_NEAR;
+  }
+  return near;
+}
+
+// Bounds the cells and the places of the rows that look together, and their part of the reach.
+void bound_rows(ListLook look, vec4 place, bool joins) {
+  uint thread = gl_LocalInvocationID.x;
+  uint rows = group_rows();
+  if (thread < rows) {
+    int most = 0x7FFFFFFF;
+    for (uint k = 0u; k < 3u; ++k) {
+      bounds[k * (LIST_ROWS + 1u) + thread] = joins ? look.low[k] : most;
+      bounds[(3u + k) * (LIST_ROWS + 1u) + thread] = joins ? -look.high[k] : most;
+    }
+    bounds[6u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(place.x) : most;
+    bounds[7u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(place.y) : most;
+    bounds[8u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(place.z) : most;
+    bounds[9u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(-place.x) : most;
+    bounds[10u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(-place.y) : most;
+    bounds[11u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(-place.z) : most;
+    bounds[12u * (LIST_ROWS + 1u) + thread] = joins ? ordered_code(-place.w) : most;
+  }
+  barrier();
+  if (thread < LIST_BOUNDS) {
+    int least = bounds[thread * (LIST_ROWS + 1u)];
+    for (uint row = 1u; row < rows; ++row) least = min(least, bounds[thread * (LIST_ROWS + 1u) + row]);
+    bounds[thread * (LIST_ROWS + 1u) + LIST_ROWS] = least;
+  }
+  barrier();
+}
+
+int bound(uint k) { return bounds[k * (LIST_ROWS + 1u) + LIST_ROWS]; }
+
+// The box around the rows that look together, and the largest part of their reach.
+struct RowBox {
+  vec4 low, high;
+};
+RowBox box_of_rows() {
+  RowBox box;
+  box.low = vec4(number_of_code(bound(6u)), number_of_code(bound(7u)), number_of_code(bound(8u)), 0.0f);
+  box.high = vec4(-number_of_code(bound(9u)), -number_of_code(bound(10u)), -number_of_code(bound(11u)),
+                  -number_of_code(bound(12u)));
+  return box;
+}
+
+// Ranges of binned points that the rows look through: one for each row of cells along x, and each image of it.
+struct Region {
+  uint along_x, along_y, along_z;
+  int image_x;
+  uint first_point, key_bits, no_image;  // of keys
+};
+Region region_of_rows() {
+  int cells_x = int(list_system[leading.system].cells[0]);
+  Region region;
+  region.image_x = floor_divide(bound(0u), cells_x);
+  region.along_x = uint(floor_divide(-bound(3u) - 1, cells_x) - region.image_x + 1);
+  region.along_y = uint(-bound(4u) - bound(1u));
+  region.along_z = uint(-bound(5u) - bound(2u));
+  region.first_point = list_system[leading.system].first_point;
+  region.key_bits = list_system[leading.system].key_bits;
+  region.no_image = images_of(leading.system).none;
+  return region;
+}
+
+void set_range(Region region, uint r, uint number) {
+  uint s = leading.system;
+  uint row = number / region.along_x;
+  uint layer = row / region.along_y;
+  int cells_x = int(list_system[s].cells[0]);
+  int cells_y = int(list_system[s].cells[1]);
+  int cells_z = int(list_system[s].cells[2]);
+  int y = bound(1u) + int(row - layer * region.along_y);
+  int z = bound(2u) + int(layer);
+  ivec4 image =
+      ivec4(region.image_x + int(number - row * region.along_x), floor_divide(y, cells_y), floor_divide(z, cells_z), 0);
+  int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * cells_x;
+  first += int(list_system[s].first_cell) - image.x * cells_x;
+  uint begin = cell[first + max(bound(0u), image.x * cells_x)];
+  range_begin[r] = begin;
+  range_length[r] = cell[first + min(-bound(3u), (image.x + 1) * cells_x)] - begin;
+  range_image[r] = number_of_image(images_of(s), image);
+  range_shift[r] = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
+}
+
+// Sets up to LIST_RANGES ranges from the first on.
+void set_ranges(Region region, uint first) {
+  uint r = gl_LocalInvocationID.x;
+  uint ranges = min(region.along_x * region.along_y * region.along_z - first, LIST_RANGES);
+  if (r < ranges) set_range(region, r, first + r);
+  if (r >= ranges && r < LIST_RANGES) range_length[r] = 0u;
+  barrier();
+  if (r < LIST_RANGES) {
+    uint upto = 0u;
+    for (uint k = 0u; k < r; ++k) upto += range_length[k];
+    range_upto[r] = upto;
+    if (r == LIST_RANGES - 1u) range_upto[LIST_RANGES] = upto + range_length[r];
+  }
+  barrier();
+}
+
+// Stages the k-th point of the ranges if it is within reach of the box around the rows.
+void stage(Region region, RowBox box, float tolerance, uint k, uint first_row) {
+  uint r = 0u;
+  for (uint step = LIST_RANGES / 2u; step != 0u; step /= 2u)
+    if (range_upto[r + step] <= k) r += step;
+  uint at = range_begin[r] + (k - range_upto[r]);
+  vec4 other = sorted[at];
+  EXACT float x = other.x + range_shift[r].x;
+  EXACT float y = other.y + range_shift[r].y;
+  EXACT float z = other.z + range_shift[r].z;
+  EXACT float below_x = box.low.x - x;
+  EXACT float below_y = box.low.y - y;
+  EXACT float below_z = box.low.z - z;
+  EXACT float above_x = x - box.high.x;
+  EXACT float above_y = y - box.high.y;
+  EXACT float above_z = z - box.high.z;
+  EXACT float reach = box.high.w + other.w;
+  float beyond = list_beyond(max(max(below_x, above_x), 0.0f), max(max(below_y, above_y), 0.0f),
+                             max(max(below_z, above_z), 0.0f), reach);
+  if (beyond > tolerance) return;
+  uint n = atomicAdd(staged, 1u);
+  staged_point[n] = vec4(x, y, z, other.w);
+  staged_key[n] = (id[at] - region.first_point) << region.key_bits | range_image[r];
+  if (at - first_row < group_rows() && range_image[r] == region.no_image && !has_flag(LIST_ASKS))
+    own_point[at - first_row] = n;
+}
