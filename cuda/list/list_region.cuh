@@ -37,7 +37,6 @@ __device__ inline bool joins_leader(const KernelBuffers& buf, ListLook look, boo
   if (waits) atomicMin(&leader, lane);
   __syncthreads();
   if (threadIdx.x == leader) leading = look;
-  own_point[lane] = ~0u;
   __syncthreads();
   if (!waits || look.system != leading.system) return false;
   bool near = true;

@@ -83,7 +83,6 @@ __device__ inline uvec2 listed_points(const KernelBuffers& buf, ListLook look, v
   uint own = own_point[lane_of_row(buf)];
   if (all && own >= begin && own < end) {
     uint others = ~(1u << (end - 1u - own));
-    own_point[lane_of_row(buf)] = ~0u;
     bits = uvec2{bits.x & others, bits.y & others};
   }
   uint undecided = bits.y & ~bits.x;
@@ -135,6 +134,7 @@ __device__ inline uint look_through(const KernelBuffers& buf, ListLook look, vec
   Region region = region_of_rows(buf);
   uint undecided = 0u;
   if (thread == 0u) staged = 0u;
+  if (thread < group_rows(buf)) own_point[thread] = ~0u;
   for (uint first = 0u; first < region.along_x * region.along_y * region.along_z; first += LIST_RANGES) {
     set_ranges(buf, region, first);
     uint points = range_upto[LIST_RANGES];
@@ -146,6 +146,7 @@ __device__ inline uint look_through(const KernelBuffers& buf, ListLook look, vec
       if (tests && joins) undecided |= test_staged(buf, look, place, have - group_threads(), have, to, exact);
       __syncthreads();
       if (tests && thread == 0u) staged = have - group_threads();
+      if (tests && thread < group_rows(buf) && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       __syncthreads();
     }
   }

@@ -38,7 +38,6 @@ bool joins_leader(ListLook look, bool waits) {
   if (waits) atomicMin(leader, lane);
   barrier();
   if (gl_LocalInvocationID.x == leader) leading = look;
-  own_point[lane] = ~0u;
   barrier();
   if (!waits || look.system != leading.system) return false;
   bool near = true;

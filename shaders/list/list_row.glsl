@@ -79,7 +79,6 @@ uvec2 listed_points(ListLook look, vec4 place, uint begin, uint end, bool all, b
   uint own = own_point[lane_of_row()];
   if (all && own >= begin && own < end) {
     uint others = ~(1u << (end - 1u - own));
-    own_point[lane_of_row()] = ~0u;
     bits = uvec2(bits.x & others, bits.y & others);
   }
   uint undecided = bits.y & ~bits.x;
@@ -129,6 +128,7 @@ uint look_through(ListLook look, vec4 place, bool joins, uint first_row, KeyRang
   Region region = region_of_rows();
   uint undecided = 0u;
   if (thread == 0u) staged = 0u;
+  if (thread < group_rows()) own_point[thread] = ~0u;
   for (uint first = 0u; first < region.along_x * region.along_y * region.along_z; first += LIST_RANGES) {
     set_ranges(region, first);
     uint points = range_upto[LIST_RANGES];
@@ -140,6 +140,7 @@ uint look_through(ListLook look, vec4 place, bool joins, uint first_row, KeyRang
       if (tests && joins) undecided |= test_staged(look, place, have - group_threads(), have, to, exact);
       barrier();
       if (tests && thread == 0u) staged = have - group_threads();
+      if (tests && thread < group_rows() && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       barrier();
     }
   }
