@@ -7,17 +7,17 @@
 
 #include "common/shared/layout.h"
 
-#define LIST_BLOCK 128               // group size of list_count and list_find; half where LIST_ROWS fill a group
-#define LIST_ROWS 32u                // rows, at most, for which a group looks; fewer if there would be fewer ...
-#define LIST_ROW_GROUPS 2048u        // ... groups than this
-#define LIST_NEAR 8                  // cells, at most, between rows that look together
+#define LIST_BLOCK 128               // group size of list_count and list_find; half of it for LIST_ROWS rows
+#define LIST_ROWS 32u                // rows, at most, for which a group looks; as few as there are groups ...
+#define LIST_ROW_GROUPS 2048u        // ... up to this number
+#define LIST_NEAR 8                  // cells, at most, along each axis, from where the first row's reach begins
 #define LIST_RANGES 32u              // ranges of cells that a group looks through at a time
 #define LIST_BOUNDS 13u              // of the rows that look together: 6 of cells, 6 of places, the reach
 #define LIST_KEPT_MOST 128u          // keys of a row that list_count keeps before the length of the list is known, ...
 #define LIST_KEPT_TOTAL 33554432u    // ... keys of all rows, above which fewer of each are kept, ...
 #define LIST_KEPT_LEAST 12u          // ... and keys of a row that are kept in any case
 #define LIST_ORDER_BLOCK 64          // group size of list_order
-#define LIST_ORDER_GROUPS 4096u      // a group sorts up to 64 rows, fewer if there would be fewer groups than this
+#define LIST_ORDER_GROUPS 4096u      // a group sorts up to 64 rows, as few as there are groups up to this number
 #define LIST_PREPARED 2048u          // points and queries, at most, of a system that one group of list_prepare prepares
 #define LIST_PREPARE_BLOCK 128       // its group size
 #define LIST_PREPARED_SYSTEMS 4096u  // systems, at most, for which list_prepare is launched
@@ -59,7 +59,7 @@ struct ListSystem {
   uint cells[3];                // from here: of list_plan
   float tolerance;              // of a squared distance less the squared reach, in scaled units and float32
   uint images[3], key_bits;     // images within reach to either side; bits of a key that number an image
-  double origin[3], scale;      // a wrapped point x is binned at (x - origin) * scale
+  double origin[3], scale;      // a wrapped point x lies at (x - origin) * scale
   double low[3], cells_per_unit[3], slack[3];  // of coordinates
   double reach;                                // of a point of radius 0
   float reach_part, unused;                    // cutoff and skin, scaled

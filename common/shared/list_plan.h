@@ -48,8 +48,8 @@ FN ListAxis list_axis(ListSystem s, uint k) {
   axis.extent = is_periodic(s, k) ? one : some ? measured : zero;
   EXACT double wide = largest_reach(s) * s.span[k];
   EXACT double ratio = axis.extent / wide;
-  EXACT double most = wide * bits_double(0x41CDCD65u, 0u);  // 1e9 reaches
-  axis.reaches = !(axis.extent > zero) ? 1.0f : axis.extent >= most ? 1.0e9f : float(ratio);
+  EXACT double most = wide * bits_double(0x41ADCD65u, 0u);  // 2.5e8 reaches: eighths of them have 32 bits
+  axis.reaches = !(axis.extent > zero) ? 1.0f : axis.extent >= most ? 2.5e8f : float(ratio);
   EXACT double slack = bound_above(s.extreme[LIST_LARGEST]) * s.span[k] * bits_double((1023u - 46u) << 20, 0u) +
                        (is_periodic(s, k) ? bits_double(0x3EB0C6F8u, 0u) : zero);  // 1e-6
   axis.slack = slack;
@@ -109,8 +109,9 @@ FN ListSystem with_images(ListSystem s) {
 // are rounded by less than 64u of the numbers that are added, which 2^-46 of them covers. In float32 and scaled, five
 // numbers are rounded along each axis: each is below 1 and off by 2^-25 at most, three of a query below 2 and off
 // by 2^-24. That moves a distance by less than 2^-21. So near its reach c <= r a distance d is off by e at most, and
-// d^2 - c^2 by less than e (2r + e). Squares and reaches are rounded nine times, each time by 2^-24 (r + e)^2 at most;
-// 2^-20 (r + e)^2 covers 16 times.
+// d^2 - c^2 by less than e (2r + e). Squares are rounded four times, each time by 2^-24 (r + e)^2 at most, and
+// reaches five times, each time by 2^-24 r at most, which moves their square by 2^-23 r^2: 14 times 2^-24 (r + e)^2 in
+// all, of which 2^-20 (r + e)^2 covers 16.
 FN ListSystem list_planned(ListSystem s, ListState state) {
   double zero = bits_double(0u, 0u);
   EXACT double reach = state.cutoff + state.skin + bound_above(s.extreme[LIST_RADIUS]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One group per 2^row_bits rows of the list, in the order of their cells: counts their pairs, and keeps their keys.
+// One group per 2^row_bits rows of the list: counts their pairs, and keeps their keys.
 #include "cuda/list/list_row.cuh"
 
 namespace spherepair {

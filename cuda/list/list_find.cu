@@ -10,7 +10,7 @@ __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffe
   if (buf.list_state[0].longer == 0u || !is_right(buf) || !has_room(buf) || first >= buf.list_state[0].looking) return;
   uint k = first + lane_of_row(buf);
   bool looks = k < buf.list_state[0].looking;
-  uint i = has_flag(buf, LIST_ASKS) || !looks ? min(k, buf.list_state[0].looking - 1u) : buf.id[k];
+  uint i = buf.list_look[looks ? k : first].i;
   KeyRange row;
   row.count = buf.row_length[i];
   row.first = keys_at(buf, i, row.count);

@@ -205,7 +205,13 @@ __global__ void __launch_bounds__(LIST_ORDER_BLOCK) list_order(Params p, KernelB
   if (most <= LIST_MOST_KEYS) {
     order_rows(buf, first, rows, bits);
   } else {
-    for (uint row = 0u; row < rows; ++row) order_long_row(buf, first + row);
+    for (uint row = 0u; row < rows; ++row) {
+      if (buf.row_length[first + row] <= LIST_MOST_KEYS) {
+        order_rows(buf, first + row, 1u, LIST_MOST_BITS);
+      } else {
+        order_long_row(buf, first + row);
+      }
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region that a group looks through for the pairs of 2^row_bits rows. Rows are in the order of their points' cells.
-// Those that are near each other look together: the group passes over the cells within reach of any of them and stages,
-// in shared memory, the points within reach of the box around them.
+// The region that a group looks through for the pairs of 2^row_bits rows. Rows of points are in the order of their
+// cells, those of queries as given. Those that are near each other look together: the group passes over the cells that
+// enclose the reach of all of them and stages, in shared memory, the points within reach of the box around them.
 #pragma once
 
 #include "cuda/list/list.cuh"
@@ -36,7 +36,7 @@ __device__ inline bool joins_leader(const KernelBuffers& buf, ListLook look, boo
   __syncthreads();
   if (waits) atomicMin(&leader, lane);
   __syncthreads();
-  if (threadIdx.x == leader) leading = look;
+  if (waits && threadIdx.x == leader) leading = look;
   __syncthreads();
   if (!waits || look.system != leading.system) return false;
   bool near = true;
@@ -118,11 +118,11 @@ __device__ inline void set_range(const KernelBuffers& buf, Region region, uint r
   int z = bound(2u) + int(layer);
   ivec4 image =
       ivec4{region.image_x + int(number - row * region.along_x), floor_divide(y, cells_y), floor_divide(z, cells_z), 0};
-  int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * cells_x;
-  first += int(buf.list_system[s].first_cell) - image.x * cells_x;
-  uint begin = buf.cell[first + max(bound(0u), image.x * cells_x)];
+  int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y - image.x) * cells_x;
+  uint first_cell = buf.list_system[s].first_cell;
+  uint begin = buf.cell[first_cell + uint(first + max(bound(0u), image.x * cells_x))];
   range_begin[r] = begin;
-  range_length[r] = buf.cell[first + min(-bound(3u), (image.x + 1) * cells_x)] - begin;
+  range_length[r] = buf.cell[first_cell + uint(first + min(-bound(3u), (image.x + 1) * cells_x))] - begin;
   range_image[r] = number_of_image(images_of(buf, s), image);
   range_shift[r] =
       vec4{scaled_boxes(buf, s, image, 0u), scaled_boxes(buf, s, image, 1u), scaled_boxes(buf, s, image, 2u), 0.0f};

@@ -115,7 +115,8 @@ __device__ inline void add_pairs(const KernelBuffers& buf, uint end, uint listed
 __device__ inline uint test_staged(const KernelBuffers& buf, ListLook look, vec4 place, uint first, uint end,
                                    KeyRange to, bool exact) {
   uint bits = buf.list_state[0].row_bits;
-  uint share = (end - first + (group_threads() >> bits) - 1u) / (group_threads() >> bits);
+  uint threads = group_threads() >> bits;
+  uint share = (end - first + threads - 1u) / threads;
   uint begin = first + (threadIdx.x >> bits) * share;
   uint upto = min(begin + share, end);
   if (begin >= upto) return 0u;

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One group per 2^row_bits rows of the list, in the order of their cells: counts their pairs, and keeps their keys.
+// One group per 2^row_bits rows of the list: counts their pairs, and keeps their keys.
 #include "shaders/list/list_row.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict writeonly buffer RowLengthBuffer { uint row_length[]; };

@@ -11,7 +11,7 @@ void main() {
   if (list_state[0].longer == 0u || !is_right() || !has_room() || first >= list_state[0].looking) return;
   uint k = first + lane_of_row();
   bool looks = k < list_state[0].looking;
-  uint i = has_flag(LIST_ASKS) || !looks ? min(k, list_state[0].looking - 1u) : id[k];
+  uint i = list_look[looks ? k : first].i;
   KeyRange row;
   row.count = row_length[i];
   row.first = keys_at(i, row.count);

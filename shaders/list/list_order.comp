@@ -206,6 +206,12 @@ void main() {
   if (most <= LIST_MOST_KEYS) {
     order_rows(first, rows, bits);
   } else {
-    for (uint row = 0u; row < rows; ++row) order_long_row(first + row);
+    for (uint row = 0u; row < rows; ++row) {
+      if (row_length[first + row] <= LIST_MOST_KEYS) {
+        order_rows(first + row, 1u, LIST_MOST_BITS);
+      } else {
+        order_long_row(first + row);
+      }
+    }
   }
 }

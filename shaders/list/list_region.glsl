@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region that a group looks through for the pairs of 2^row_bits rows. Rows are in the order of their points' cells.
-// Those that are near each other look together: the group passes over the cells within reach of any of them and stages,
-// in shared memory, the points within reach of the box around them.
+// The region that a group looks through for the pairs of 2^row_bits rows. Rows of points are in the order of their
+// cells, those of queries as given. Those that are near each other look together: the group passes over the cells that
+// enclose the reach of all of them and stages, in shared memory, the points within reach of the box around them.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
@@ -37,7 +37,7 @@ bool joins_leader(ListLook look, bool waits) {
   barrier();
   if (waits) atomicMin(leader, lane);
   barrier();
-  if (gl_LocalInvocationID.x == leader) leading = look;
+  if (waits && gl_LocalInvocationID.x == leader) leading = look;
   barrier();
   if (!waits || look.system != leading.system) return false;
   bool near = true;
@@ -119,11 +119,11 @@ void set_range(Region region, uint r, uint number) {
   int z = bound(2u) + int(layer);
   ivec4 image =
       ivec4(region.image_x + int(number - row * region.along_x), floor_divide(y, cells_y), floor_divide(z, cells_z), 0);
-  int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y) * cells_x;
-  first += int(list_system[s].first_cell) - image.x * cells_x;
-  uint begin = cell[first + max(bound(0u), image.x * cells_x)];
+  int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y - image.x) * cells_x;
+  uint first_cell = list_system[s].first_cell;
+  uint begin = cell[first_cell + uint(first + max(bound(0u), image.x * cells_x))];
   range_begin[r] = begin;
-  range_length[r] = cell[first + min(-bound(3u), (image.x + 1) * cells_x)] - begin;
+  range_length[r] = cell[first_cell + uint(first + min(-bound(3u), (image.x + 1) * cells_x))] - begin;
   range_image[r] = number_of_image(images_of(s), image);
   range_shift[r] = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
 }

@@ -110,7 +110,8 @@ void add_pairs(uint end, uint listed, KeyRange to) {
 // Tests the staged points from the first on, a share for each thread of a row. Returns the bits that are undecided.
 uint test_staged(ListLook look, vec4 place, uint first, uint end, KeyRange to, bool exact) {
   uint bits = list_state[0].row_bits;
-  uint share = (end - first + (group_threads() >> bits) - 1u) / (group_threads() >> bits);
+  uint threads = group_threads() >> bits;
+  uint share = (end - first + threads - 1u) / threads;
   uint begin = first + (gl_LocalInvocationID.x >> bits) * share;
   uint upto = min(begin + share, end);
   if (begin >= upto) return 0u;

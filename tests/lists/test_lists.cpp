@@ -50,6 +50,16 @@ TEST_P(Lists, TheCutoffIsNotRounded) {
   }
 }
 
+// Without a reach an axis has no number of cells by itself.
+TEST_P(Lists, AReachOfZeroHasPointsInOnePlace) {
+  ListProblem problem = of_points({{0, 0, 0}, {0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0x1p-40, 0}, {1, 2, 3}, {0, 0, 0}}, 0);
+  problem.inclusive = true;
+  for (const ListBox& box : {ListBox{}, cube(0.5)}) {
+    problem.boxes[0] = box;
+    EXPECT_EQ(first_difference(list(problem), list_by_rationals(problem, 9)), "");
+  }
+}
+
 // Two points many boxes apart, so that float64 rounds the way between them by far more than it rounds its square. Their
 // decimal numbers make ties common.
 TEST_P(Lists, FarImagesAreThoseOfRationalNumbers) {
