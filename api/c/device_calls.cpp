@@ -199,10 +199,13 @@ bool DeviceCalls::fill(const sp_problem& given, sp_pairs& pairs, std::string& me
   }
   const int64_t firsts = int64_t(problem.firsts().size());
   check_room(pairs, firsts, message);
-  if (message.empty())
+  if (message.empty()) {
     write(problem, columns, room);
-  else if (pairs.found.data)  // the number is written in any case
-    write(problem, {.found = columns.found}, pairs.count > room ? room : 0);
+  } else if (pairs.found.data) {  // the number is written in any case
+    DeviceColumns number;
+    number.found = columns.found;
+    write(problem, number, pairs.count > room ? room : 0);
+  }
   return message.empty();
 }
 
