@@ -37,16 +37,17 @@ class Buffer {
  public:
   // Makes room for n values, and for reading a whole vector after them. Growing loses the contents.
   void resize(size_t n) {
-    size_ = n;
     const size_t needed = n * sizeof(T) + slack, page = needed < large_page ? small_page : large_page;
     const size_t bytes = (needed + page - 1) / page * page;
-    if (bytes <= bytes_) return;
-    data_.reset();
-    bytes_ = 0;
-    data_.reset(static_cast<T*>(std::aligned_alloc(page, bytes)));
-    if (!data_) throw std::bad_alloc();
-    bytes_ = bytes;
-    advise_large_pages(data_.get(), bytes);
+    if (bytes > bytes_) {
+      data_.reset();
+      size_ = bytes_ = 0;  // in case of an error
+      data_.reset(static_cast<T*>(std::aligned_alloc(page, bytes)));
+      if (!data_) throw std::bad_alloc();
+      bytes_ = bytes;
+      advise_large_pages(data_.get(), bytes);
+    }
+    size_ = n;
   }
 
   T* data() { return data_.get(); }

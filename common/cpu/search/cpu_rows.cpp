@@ -85,9 +85,10 @@ void copy(const Number* from, Number* to) {
 namespace spherepair {
 
 void RowBlock::grow(uint targets) {
-  room = targets + targets / 2 + 1;
-  const uint most = room + row_slack;
+  room = 0;  // in case of an error
+  const uint larger = targets + targets / 2 + 1, most = larger + row_slack;
   x.resize(most), y.resize(most), z.resize(most), radius.resize(most), key.resize(most);
+  room = larger;
 }
 
 void RowBlock::end(uint targets) {
