@@ -23,7 +23,7 @@ constexpr double grid_bytes_in_cell_order = 2 * 16 + 7 + 4, grid_bytes_in_random
 // NaN if CUDA is not open.
 double issue_rate(const Session& session);
 
-// The kernels that measure this device. Throws BackendError for the CPU, which has none.
+// Returns the kernels that measure this device. Throws BackendError for the CPU: it has none.
 PeakRateKernels& peak_rates_of(Backend& backend);
 
 // Bytes per second, read and written, that a device copies beyond its caches. Replaces the uploaded scene.

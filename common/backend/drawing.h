@@ -38,8 +38,8 @@ class Drawing {
   // For each pixel of the last draw(), which must have gone through OpenGL: near / z, where z is the depth along the
   // camera's forward axis; 0 for the background.
   virtual std::vector<float> depths() = 0;
-  // Sets the palette entry of each sphere for COLOUR_BY_CLASS. upload(), resume() and, on a GPU, drawing by speed or
-  // radius lose them.
+  // Sets the palette entry of each sphere for COLOUR_BY_CLASS. upload() and resume() delete the entries. On a GPU an
+  // image by speed or radius deletes them, too.
   virtual void set_classes(std::span<const uint> classes) = 0;
   // Copies the image into an RGBA8 texture of its size in the context of OpenOptions::window, on the GPU if the image
   // is there. Returns false without such a context: the caller then uploads image().

@@ -14,7 +14,7 @@ struct PointImage {
 
 class ListPlan {
  public:
-  // Throws ListError for a flat box, for points too far outside of one, and for more images than 2^27.
+  // Throws ListError if a box is flat, if a point lies too far outside its box, or if there are over 2^27 images.
   explicit ListPlan(const ListProblem& problem);
 
   // Points, and those that look for pairs (queries, or points), inside their boxes.

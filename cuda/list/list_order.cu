@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One group per 2^order_bits rows, LIST_ORDER_BLOCK at most: sorts the keys of each row, and writes its columns. 2^bits
-// threads sort a row in registers, LIST_KEYS_EACH keys each; the longest row of a group decides how many. A row that is
-// too long for 32 threads is done in several ranges of keys.
+// One group per 2^order_bits rows, LIST_ORDER_BLOCK at most: sorts the keys of each row, and writes its columns. A
+// row has 2^bits threads, as many as the longest row of the group needs. Each sorts LIST_KEYS_EACH keys in registers. A
+// row that is too long for 32 threads is sorted in several ranges of keys.
 #include "cuda/list/list_length.cuh"
 
 namespace spherepair {

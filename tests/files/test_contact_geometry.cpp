@@ -34,7 +34,7 @@ ListProblem problem_of(const vec4& a, const vec4& b) {
   return problem;
 }
 
-// Also of the float64 numbers next to the cutoff.
+// At the cutoff, and at the float64 numbers next to it.
 void expect_within(const vec4& a, const vec4& b, double cutoff) {
   ListProblem problem = problem_of(a, b);
   problem.set.radii.clear(), problem.inclusive = true;

@@ -58,8 +58,8 @@ struct RowSimd {
   const char* name;
   // Copies the targets of all ranges.
   void (*collect)(const RowTargets& from, std::span<const TargetRange> ranges, bool sized, RowBlock& to);
-  // Writes the keys of all points' rows one behind another, each row in ascending order. `first`: targets before it are
-  // in no row. in_order: the block's keys ascend. `keys` has room for points x targets + row_slack.
+  // Writes the keys of all rows, one row behind another, each in ascending order. Targets before `first` are in no row.
+  // in_order: the block's keys ascend. `keys` has room for points x targets + row_slack.
   void (*find)(const RowBlock& block, uint first, bool in_order, std::span<const RowPoint> points, RowLimits limits,
                uint* keys, FoundRow* rows);
 };
