@@ -57,6 +57,18 @@ ListProblem packed(uint64_t n, double fraction) {
   return problem;
 }
 
+// As many other random points ask for their neighbours among these, in no order.
+ListProblem asked(uint64_t n, double fraction) {
+  ListProblem problem = packed(2 * n, 2 * fraction);  // whose cutoff is that of n points
+  const auto middle = problem.set.points.begin() + ptrdiff_t(n);
+  problem.asks = true;
+  problem.queries.points.assign(middle, problem.set.points.end());
+  problem.queries.offsets = {0, n};
+  problem.set.points.resize(n);
+  problem.set.offsets = {0, n};
+  return problem;
+}
+
 struct ListScene {
   const char* name;
   ListProblem (*make)();
@@ -95,7 +107,9 @@ constexpr ListScene scenes[] = {{"cscl-128-6",
                                  },
                                  true, true},
                                 {"packed-1e6", [] { return packed(1000000, 0.3); }, false, true},
-                                {"packed-1e7", [] { return packed(10000000, 0.3); }, false, true}};
+                                {"packed-1e7", [] { return packed(10000000, 0.3); }, false, true},
+                                {"queries-1e6-sparse", [] { return asked(1000000, 0.3); }, false, true},
+                                {"queries-1e6-dense", [] { return asked(1000000, 5); }, false, true}};
 
 struct Timed {
   int64_t pairs;

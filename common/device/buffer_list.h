@@ -61,5 +61,6 @@ struct ListLook;
   one(LIST_LOOK, ListLook*, list_look, "what points look through")            \
   one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")  \
   one(LIST_KEY, uint*, list_keys, "keys of pairs")                     \
-  one(LIST_BIN, uvec2*, list_bins, "bins of points")
+  one(LIST_BIN, uvec2*, list_bins, "bins of points")                          \
+  one(LIST_LONG, uint*, list_long, "groups with long rows")
 // clang-format on

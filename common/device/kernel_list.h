@@ -71,12 +71,12 @@
   each(list_prepare, list_state | list_system | list_given | list_place | list_bins, \
        list_state | list_system | list_place | list_bins | cell | id | sorted | list_look) \
   each(list_count, cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \
-       row_length | list_keys | list_state) \
+       row_length | list_keys | list_state | list_long) \
   each(list_sums, row_length | list_state, list_sum) \
   each(list_scan, row_length | list_state | list_sum, list_begin) \
   each(list_find, \
        cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded | \
-           row_length | list_begin, \
+           row_length | list_begin | list_long, \
        list_keys) \
   each(list_order, list_state | list_system | list_place | row_length | list_begin | list_keys, \
        list_first | list_second | list_shift)

@@ -45,7 +45,8 @@ bool DeviceLists::make_room() {
                                               {SLOT_LIST_SUM, ceil_div(looking, LIST_TILE) * sizeof(uint64_t)},
                                               {SLOT_CELL, tiles * SCAN_TILE * sizeof(uint)},
                                               {SLOT_SCAN, (tiles + 1) * sizeof(uint)},
-                                              {SLOT_LIST_LOOK, looking * sizeof(ListLook)}};
+                                              {SLOT_LIST_LOOK, looking * sizeof(ListLook)},
+                                              {SLOT_LIST_LONG, row_groups() * sizeof(uint)}};
   return grow(needed);
 }
 

@@ -59,7 +59,8 @@
 #define SLOT_LIST_EXCLUDED 54  // uvec2[]: pairs that are left out, sorted
 #define SLOT_LIST_KEY 55       // uint[]: j and image of each pair, by rows in any order; see KeyRange in list_row
 #define SLOT_LIST_BIN 56       // uvec2[points]: the cell of each, and its place there
-#define SLOT_TOTAL 57
+#define SLOT_LIST_LONG 57      // uint[groups of rows]: groups of list_count with a row of more keys than it keeps
+#define SLOT_TOTAL 58
 #define SLOT_PARAMS 0     // the uniform block's own binding
 #define STEPS_LOCATION 0  // location of GLSL's uniform with MotionParams::steps_done
 #define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change

@@ -11,7 +11,9 @@
 #define LIST_ROWS 32u                // rows, at most, for which a group looks; as few as there are groups ...
 #define LIST_ROW_GROUPS 2048u        // ... up to this number
 #define LIST_NEAR 8                  // cells, at most, along each axis, from where the first row's reach begins
+#define LIST_FEW 2.0f                // points in a cube as long as the reach, below which rows look alone
 #define LIST_RANGES 32u              // ranges of cells that a group looks through at a time
+#define LIST_NO_RANGE 0xFFFFFFFFu    // points that are staged come from several
 #define LIST_BOUNDS 13u              // of the rows that look together: 6 of cells, 6 of places, the reach
 #define LIST_KEPT_MOST 128u          // keys of a row that list_count keeps before the length of the list is known, ...
 #define LIST_KEPT_TOTAL 33554432u    // ... keys of all rows, above which fewer of each are kept, ...
@@ -62,13 +64,14 @@ struct ListSystem {
   double origin[3], scale;      // a wrapped point x lies at (x - origin) * scale
   double low[3], cells_per_unit[3], slack[3];  // of coordinates
   double reach;                                // of a point of radius 0
-  float reach_part, unused;                    // cutoff and skin, scaled
+  float reach_part;                            // cutoff and skin, scaled
+  uint looks_alone;                            // not 0: its rows do not look together
 };
 
 struct ListState {
   uint wrong, far;  // ~index of the first point that is not listed, or too far from its box
   uint wide;        // not 0: keys have no room for the images within reach
-  uint longer;      // not 0: a row has more keys than list_count keeps
+  uint longer;      // groups in SLOT_LIST_LONG
   uint kept;        // keys of a row that list_count has room for
   uint unused;
   double cutoff, skin;

@@ -5,11 +5,15 @@
 
 #include "common/shared/list.h"
 
-// Sets the numbers of cells: about four points a cell, each at least half a reach wide along y and z, and a quarter of
-// that along x, so that the cells of one group's rows make a short rod. x, y and z: the system's lengths in reaches.
-FN ListSystem with_cells(ListSystem s, float x, float y, float z) {
+// Sets the numbers of cells: about four points a cell, or two in large systems whose rows look alone. Each is at least
+// half a reach wide along y and z, and a quarter of that along x, so that the cells of one group's rows make a short
+// rod. x, y and z: the system's lengths in reaches.
+FN ListSystem with_cells(ListSystem s, bool asks, float x, float y, float z) {
   float points = float(s.end_point - s.first_point);
-  EXACT float enough = points * 0.25f;
+  EXACT float few = LIST_FEW * x * y * z;
+  s.looks_alone = asks || points < few ? 1u : 0u;
+  EXACT float quarter = points * 0.25f;
+  float enough = s.looks_alone != 0u && s.end_point - s.first_point > LIST_PREPARED ? points * 0.5f : quarter;
   EXACT float product = points + 1.0f;
   EXACT float side = 0.5f;
   for (uint turn = 0u; turn < 200u && product > enough; ++turn) {
@@ -119,7 +123,7 @@ FN ListSystem list_planned(ListSystem s, ListState state) {
   ListAxis x = list_axis(s, 0u);
   ListAxis y = list_axis(s, 1u);
   ListAxis z = list_axis(s, 2u);
-  s = with_cells(s, x.reaches, y.reaches, z.reaches);
+  s = with_cells(s, (state.flags & LIST_ASKS) != 0u, x.reaches, y.reaches, z.reaches);
   for (uint k = 0u; k < 3u; ++k) s.origin[k] = zero;
   s = with_axis(s, 0u, x);
   s = with_axis(s, 1u, y);

@@ -4,6 +4,8 @@
 
 namespace spherepair {
 
+__shared__ uint is_long;  // not 0: a row of the group has more keys than are kept
+
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuffers buf) {
   uint first = group_index(p) << buf.list_state[0].row_bits;
   if (!is_right(buf) || first >= buf.list_state[0].looking) return;
@@ -14,11 +16,13 @@ __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuff
   kept.count = buf.list_state[0].kept;
   kept.first = uint64_t(i) * uint64_t(kept.count);
   found[lane_of_row(buf)] = 0u;
+  is_long = 0u;
   find_pairs(buf, k, looks, first, kept);
   if (looks && threadIdx.x < group_rows(buf)) {
     uint length = found[lane_of_row(buf)];
     buf.row_length[i] = length;
-    if (length > kept.count) buf.list_state[0].longer = 1u;
+    if (length > kept.count && atomicMax(&is_long, 1u) == 0u)
+      buf.list_long[atomicAdd(&buf.list_state[0].longer, 1u)] = group_index(p);
   }
 }
 

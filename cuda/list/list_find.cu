@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The groups of list_count once more: rows whose keys it had no room for write them.
+// The groups of list_count with long rows once more: rows whose keys it had no room for write them.
 #include "cuda/list/list_length.cuh"
 #include "cuda/list/list_row.cuh"
 
 namespace spherepair {
 
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffers buf) {
-  uint first = group_index(p) << buf.list_state[0].row_bits;
-  if (buf.list_state[0].longer == 0u || !is_right(buf) || !has_room(buf) || first >= buf.list_state[0].looking) return;
+  if (group_index(p) >= buf.list_state[0].longer || !is_right(buf) || !has_room(buf)) return;
+  uint first = buf.list_long[group_index(p)] << buf.list_state[0].row_bits;
   uint k = first + lane_of_row(buf);
   bool looks = k < buf.list_state[0].looking;
   uint i = buf.list_look[looks ? k : first].i;

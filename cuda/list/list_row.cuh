@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pairs of a group's rows: each row, a lane of its own, tests the points that the group has staged.
+// The pairs of a group's rows. Rows of systems with many points within reach look together: each row, a lane of its
+// own, tests the points that the group has staged. Others, and queries, look alone.
 #pragma once
 
 #include "common/shared/list_exact.h"
@@ -56,78 +57,90 @@ __device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j,
                            buf.list_state[0].cutoff, buf.list_state[0].skin, has_flag(buf, LIST_INCLUSIVE));
 }
 
-// Tests up to 32 staged points in float32. Each has a bit, the last point the lowest: x has those that are within reach
-// for certain, y also those that float32 leaves undecided.
-__device__ inline uvec2 filtered(const KernelBuffers& buf, vec4 place, uint begin, uint end, float tolerance) {
-  uvec2 bits = uvec2{0u, 0u};
-  for (uint at = begin; at < end; ++at) {
-    vec4 other = staged_point[at];
-    EXACT float x = other.x - place.x;
-    EXACT float y = other.y - place.y;
-    EXACT float z = other.z - place.z;
-    EXACT float reach = place.w + other.w;
-    float beyond = list_beyond(x, y, z, reach);
-    EXACT float most = beyond + tolerance;
-    EXACT float least = beyond - tolerance;
-    bits.x = bits.x << 1 | float_bits(most) >> 31;
-    bits.y = bits.y << 1 | float_bits(least) >> 31;
-  }
-  return bits;
+// Shifts in the bits of another point's test in float32: x has those that are within reach for certain, y also those
+// that float32 leaves undecided. The last point has the lowest bit.
+__device__ inline uvec2 with_test(uvec2 bits, vec4 place, vec4 other, float tolerance) {
+  EXACT float x = other.x - place.x;
+  EXACT float y = other.y - place.y;
+  EXACT float z = other.z - place.z;
+  EXACT float reach = place.w + other.w;
+  float beyond = list_beyond(x, y, z, reach);
+  EXACT float most = beyond + tolerance;
+  EXACT float least = beyond - tolerance;
+  return uvec2{bits.x << 1 | float_bits(most) >> 31, bits.y << 1 | float_bits(least) >> 31};
+}
+
+// Up to 32 points that a row has tested: the staged ones before `end`, or those of a range before it.
+struct Tested {
+  uvec2 bits;
+  uint begin, end, image;  // of the range; LIST_NO_RANGE: staged
+};
+__device__ inline uint key_of_bit(const KernelBuffers& buf, Region region, Tested tested, uint bits) {
+  uint at = tested.end - 1u - lowest_bit(bits);
+  return tested.image == LIST_NO_RANGE ? staged_key[at] : key_in_range(buf, region, at, tested.image);
 }
 
 // Returns in x the bits of the points that the list pairs with the row's, in y those that float32 leaves undecided.
-// With `exact` these are decided on the numbers as given; otherwise x lacks them.
-__device__ inline uvec2 listed_points(const KernelBuffers& buf, ListLook look, vec4 place, uint begin, uint end,
-                                      bool all, bool exact) {
-  uvec2 bits = filtered(buf, place, begin, end, buf.list_system[look.system].tolerance);
-  uint own = own_point[lane_of_row(buf)];
-  if (all && own >= begin && own < end) {
-    uint others = ~(1u << (end - 1u - own));
+// With `exact` these are decided on the numbers as given, and x has no others; otherwise x lacks them. own: where the
+// row's own point is.
+__device__ inline uvec2 listed_points(const KernelBuffers& buf, Region region, uint i, Tested tested, uint own,
+                                      bool exact) {
+  uvec2 bits = tested.bits;
+  bool all = lists_all(buf);
+  if (all && own >= tested.begin && own < tested.end) {
+    uint others = ~(1u << (tested.end - 1u - own));
     bits = uvec2{bits.x & others, bits.y & others};
   }
   uint undecided = bits.y & ~bits.x;
-  uint listed = bits.x;
-  uint open = (all ? 0u : bits.x) | (exact ? undecided : 0u);
+  uint listed = exact ? undecided : bits.x;
+  uint open = all && !exact ? 0u : listed;
   while (open != 0u) {
     uint bit = open & (~open + 1u);
-    uint key = staged_key[end - 1u - lowest_bit(open)];
+    uint key = key_of_bit(buf, region, tested, open);
     open ^= bit;
-    uint key_bits = buf.list_system[look.system].key_bits;
-    uint j = buf.list_system[look.system].first_point + (key >> key_bits);
-    ivec4 image = image_of(images_of(buf, look.system), key & ((1u << key_bits) - 1u));
-    bool is_pair = is_wanted(buf, look.i, j, image);
-    if (exact && is_pair && (undecided & bit) != 0u) is_pair = is_within_reach(buf, look.i, j, image);
-    listed = is_pair ? listed | bit : listed & ~bit;
+    uint j = region.first_point + (key >> region.key_bits);
+    ivec4 image = image_of(images_of(buf, region.look.system), key & ((1u << region.key_bits) - 1u));
+    bool is_pair = is_wanted(buf, i, j, image);
+    if (exact && is_pair) is_pair = is_within_reach(buf, i, j, image);
+    listed = is_pair ? listed : listed & ~bit;
   }
   return uvec2{listed, undecided};
 }
 
-// Adds pairs to a row, and writes their keys as far as there is room.
-__device__ inline void add_pairs(const KernelBuffers& buf, uint end, uint listed, KeyRange to) {
+// Adds pairs to a row, and writes their keys as far as there is room. Returns the bits that are undecided.
+__device__ inline uint add_pairs(const KernelBuffers& buf, Region region, uint i, Tested tested, uint own, KeyRange to,
+                                 bool exact) {
+  uvec2 points = listed_points(buf, region, i, tested, own, exact);
+  uint listed = points.x;
+  if (listed == 0u) return points.y;
   uint n = atomicAdd(&found[lane_of_row(buf)], count_bits(listed));
   for (; listed != 0u && n < to.count; ++n) {
-    buf.list_keys[column_index(to.first + uint64_t(n))] = staged_key[end - 1u - lowest_bit(listed)];
+    buf.list_keys[column_index(to.first + uint64_t(n))] = key_of_bit(buf, region, tested, listed);
     listed &= listed - 1u;
   }
+  return points.y;
 }
 
 // Tests the staged points from the first on, a share for each thread of a row. Returns the bits that are undecided.
-__device__ inline uint test_staged(const KernelBuffers& buf, ListLook look, vec4 place, uint first, uint end,
+__device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint i, vec4 place, uint first, uint end,
                                    KeyRange to, bool exact) {
   uint bits = buf.list_state[0].row_bits;
   uint threads = group_threads() >> bits;
   uint share = (end - first + threads - 1u) / threads;
-  uint begin = first + (threadIdx.x >> bits) * share;
-  uint upto = min(begin + share, end);
-  if (begin >= upto) return 0u;
-  uvec2 listed = listed_points(buf, look, place, begin, upto, lists_all(buf), exact);
-  if (exact) listed.x &= listed.y;
-  if (listed.x != 0u) add_pairs(buf, upto, listed.x, to);
-  return listed.y;
+  Tested tested;
+  tested.bits = uvec2{0u, 0u};
+  tested.begin = first + (threadIdx.x >> bits) * share;
+  tested.end = min(tested.begin + share, end);
+  tested.image = LIST_NO_RANGE;
+  if (tested.begin >= tested.end) return 0u;
+  float tolerance = buf.list_system[region.look.system].tolerance;
+  for (uint at = tested.begin; at < tested.end; ++at)
+    tested.bits = with_test(tested.bits, place, staged_point[at], tolerance);
+  return add_pairs(buf, region, i, tested, own_point[lane_of_row(buf)], to, exact);
 }
 
 // Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
-__device__ inline uint look_through(const KernelBuffers& buf, ListLook look, vec4 place, bool joins, uint first_row,
+__device__ inline uint look_through(const KernelBuffers& buf, uint i, vec4 place, bool joins, uint first_row,
                                     KeyRange to, bool exact) {
   uint thread = threadIdx.x;
   float tolerance = buf.list_system[leading.system].tolerance;
@@ -136,7 +149,7 @@ __device__ inline uint look_through(const KernelBuffers& buf, ListLook look, vec
   uint undecided = 0u;
   if (thread == 0u) staged = 0u;
   if (thread < group_rows(buf)) own_point[thread] = ~0u;
-  for (uint first = 0u; first < region.along_x * region.along_y * region.along_z; first += LIST_RANGES) {
+  for (uint first = 0u; first < region.ranges; first += LIST_RANGES) {
     set_ranges(buf, region, first);
     uint points = range_upto[LIST_RANGES];
     for (uint k = 0u; k < points; k += group_threads()) {
@@ -144,14 +157,37 @@ __device__ inline uint look_through(const KernelBuffers& buf, ListLook look, vec
       __syncthreads();
       uint have = staged;
       bool tests = have >= group_threads();
-      if (tests && joins) undecided |= test_staged(buf, look, place, have - group_threads(), have, to, exact);
+      if (tests && joins) undecided |= test_staged(buf, region, i, place, have - group_threads(), have, to, exact);
       __syncthreads();
       if (tests && thread == 0u) staged = have - group_threads();
       if (tests && thread < group_rows(buf) && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       __syncthreads();
     }
   }
-  if (joins) undecided |= test_staged(buf, look, place, 0u, staged, to, exact);
+  if (joins) undecided |= test_staged(buf, region, i, place, 0u, staged, to, exact);
+  return undecided;
+}
+
+// Looks through the cells within a row's reach, whose ranges its threads share. Returns not 0 if pairs are undecided.
+__device__ inline uint look_alone(const KernelBuffers& buf, ListLook look, vec4 place, uint own, KeyRange to,
+                                  bool exact) {
+  uint bits = buf.list_state[0].row_bits;
+  float tolerance = buf.list_system[look.system].tolerance;
+  Region region = region_of(buf, look);
+  uint undecided = 0u;
+  for (uint number = threadIdx.x >> bits; number < region.ranges; number += group_threads() >> bits) {
+    PointRange range = range_of(buf, region, number);
+    Tested tested;
+    tested.image = range.image;
+    for (tested.begin = range.begin; tested.begin < range.end; tested.begin = tested.end) {
+      tested.end = min(tested.begin + 32u, range.end);
+      tested.bits = uvec2{0u, 0u};
+      for (uint at = tested.begin; at < tested.end; ++at)
+        tested.bits = with_test(tested.bits, place, place_in_range(buf, at, range.shift), tolerance);
+      if (tested.bits.y != 0u)
+        undecided |= add_pairs(buf, region, look.i, tested, range.image == region.no_image ? own : ~0u, to, exact);
+    }
+  }
   return undecided;
 }
 
@@ -161,15 +197,21 @@ __device__ inline void find_pairs(const KernelBuffers& buf, uint k, bool looks, 
   vec4 place = buf.sorted[(has_flag(buf, LIST_ASKS) ? buf.list_state[0].points : 0u) + (looks ? k : first_row)];
   EXACT float part = buf.list_system[look.system].reach_part + place.w;
   place.w = part;
+  __syncthreads();  // `found` is 0
   bool waits = looks && look.low[0] < look.high[0] && look.low[1] < look.high[1] && look.low[2] < look.high[2];
+  if (waits && buf.list_system[look.system].looks_alone != 0u) {
+    waits = false;
+    uint own = has_flag(buf, LIST_ASKS) ? ~0u : k;
+    if (look_alone(buf, look, place, own, to, false) != 0u) look_alone(buf, look, place, own, to, true);
+  }
   while (true) {
     bool joins = joins_leader(buf, look, waits);
     if (leader == LIST_ROWS) return;
     waits = waits && !joins;
     bound_rows(buf, look, place, joins);
-    if (look_through(buf, look, place, joins, first_row, to, false) != 0u) undecided_rows = 1u;
+    if (look_through(buf, look.i, place, joins, first_row, to, false) != 0u) undecided_rows = 1u;
     __syncthreads();
-    if (undecided_rows != 0u) look_through(buf, look, place, joins, first_row, to, true);
+    if (undecided_rows != 0u) look_through(buf, look.i, place, joins, first_row, to, true);
   }
 }
 

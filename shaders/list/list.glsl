@@ -64,7 +64,10 @@ ivec4 image_of(Images images, uint number) {
                int(number - x_and_y * images.along_z) - images.most.z, 0);
 }
 
-int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+int floor_divide(int a, int b) {
+  if (a >= 0 && a < b) return 0;  // nearly always, and quick
+  return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
 
 int floor_of(double x) {
   int below = int(x);

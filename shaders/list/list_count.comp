@@ -4,7 +4,10 @@
 #include "shaders/list/list_row.glsl"
 
 layout(std430, binding = SLOT_ROW_LENGTH) restrict writeonly buffer RowLengthBuffer { uint row_length[]; };
+layout(std430, binding = SLOT_LIST_LONG) restrict writeonly buffer ListLongBuffer { uint list_long[]; };
 layout(local_size_x = BLOCK) in;
+
+shared uint is_long;  // not 0: a row of the group has more keys than are kept
 
 void main() {
   uint first = group_index() << list_state[0].row_bits;
@@ -16,10 +19,12 @@ void main() {
   kept.count = list_state[0].kept;
   kept.first = uint64_t(i) * uint64_t(kept.count);
   found[lane_of_row()] = 0u;
+  is_long = 0u;
   find_pairs(k, looks, first, kept);
   if (looks && gl_LocalInvocationID.x < group_rows()) {
     uint length = found[lane_of_row()];
     row_length[i] = length;
-    if (length > kept.count) list_state[0].longer = 1u;
+    if (length > kept.count && atomicMax(is_long, 1u) == 0u)
+      list_long[atomicAdd(list_state[0].longer, 1u)] = group_index();
   }
 }

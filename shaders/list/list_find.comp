@@ -1,14 +1,15 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// The groups of list_count once more: rows whose keys it had no room for write them.
+// The groups of list_count with long rows once more: rows whose keys it had no room for write them.
 #include "shaders/list/list_length.glsl"
 #include "shaders/list/list_row.glsl"
 
+layout(std430, binding = SLOT_LIST_LONG) restrict readonly buffer ListLongBuffer { uint list_long[]; };
 layout(local_size_x = BLOCK) in;
 
 void main() {
-  uint first = group_index() << list_state[0].row_bits;
-  if (list_state[0].longer == 0u || !is_right() || !has_room() || first >= list_state[0].looking) return;
+  if (group_index() >= list_state[0].longer || !is_right() || !has_room()) return;
+  uint first = list_long[group_index()] << list_state[0].row_bits;
   uint k = first + lane_of_row();
   bool looks = k < list_state[0].looking;
   uint i = list_look[looks ? k : first].i;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region that a group looks through for the pairs of 2^row_bits rows. Rows of points are in the order of their
-// cells, those of queries as given. Those that are near each other look together: the group passes over the cells that
-// enclose the reach of all of them and stages, in shared memory, the points within reach of the box around them.
+// The region that a group looks through for the pairs of 2^row_bits rows, which are in the order of their cells. Those
+// that are near each other look together: the group passes over the cells that enclose the reach of all of them and
+// stages, in shared memory, the points within reach of the box around them.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };
@@ -89,49 +89,88 @@ RowBox box_of_rows() {
   return box;
 }
 
-// Ranges of binned points that the rows look through: one for each row of cells along x, and each image of it.
+// Ranges of binned points in the cells of `look`: one for each row of cells along x, and each image of it.
 struct Region {
-  uint along_x, along_y, along_z;
+  ListLook look;
+  uint along_x, along_y, ranges;
   int image_x;
   uint first_point, key_bits, no_image;  // of keys
 };
-Region region_of_rows() {
-  int cells_x = int(list_system[leading.system].cells[0]);
+Region region_of(ListLook look) {
+  uint s = look.system;
+  int cells_x = int(list_system[s].cells[0]);
   Region region;
-  region.image_x = floor_divide(bound(0u), cells_x);
-  region.along_x = uint(floor_divide(-bound(3u) - 1, cells_x) - region.image_x + 1);
-  region.along_y = uint(-bound(4u) - bound(1u));
-  region.along_z = uint(-bound(5u) - bound(2u));
-  region.first_point = list_system[leading.system].first_point;
-  region.key_bits = list_system[leading.system].key_bits;
-  region.no_image = images_of(leading.system).none;
+  region.look = look;
+  region.image_x = floor_divide(look.low[0], cells_x);
+  region.along_x = uint(floor_divide(look.high[0] - 1, cells_x) - region.image_x + 1);
+  region.along_y = uint(look.high[1] - look.low[1]);
+  region.ranges = region.along_x * region.along_y * uint(look.high[2] - look.low[2]);
+  region.first_point = list_system[s].first_point;
+  region.key_bits = list_system[s].key_bits;
+  region.no_image = images_of(s).none;
   return region;
 }
+Region region_of_rows() {
+  ListLook look = leading;
+  for (uint k = 0u; k < 3u; ++k) {
+    look.low[k] = bound(k);
+    look.high[k] = -bound(3u + k);
+  }
+  return region_of(look);
+}
 
-void set_range(Region region, uint r, uint number) {
-  uint s = leading.system;
+// The points in a row of cells of one image.
+struct PointRange {
+  uint begin, end, image;
+  vec4 shift;  // of the image, scaled
+};
+PointRange range_of(Region region, uint number) {
+  uint s = region.look.system;
   uint row = number / region.along_x;
   uint layer = row / region.along_y;
   int cells_x = int(list_system[s].cells[0]);
   int cells_y = int(list_system[s].cells[1]);
   int cells_z = int(list_system[s].cells[2]);
-  int y = bound(1u) + int(row - layer * region.along_y);
-  int z = bound(2u) + int(layer);
+  int y = region.look.low[1] + int(row - layer * region.along_y);
+  int z = region.look.low[2] + int(layer);
   ivec4 image =
       ivec4(region.image_x + int(number - row * region.along_x), floor_divide(y, cells_y), floor_divide(z, cells_z), 0);
   int first = ((z - image.z * cells_z) * cells_y + y - image.y * cells_y - image.x) * cells_x;
   uint first_cell = list_system[s].first_cell;
-  uint begin = cell[first_cell + uint(first + max(bound(0u), image.x * cells_x))];
-  range_begin[r] = begin;
-  range_length[r] = cell[first_cell + uint(first + min(-bound(3u), (image.x + 1) * cells_x))] - begin;
-  range_image[r] = number_of_image(images_of(s), image);
-  range_shift[r] = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
+  PointRange range;
+  range.begin = cell[first_cell + uint(first + max(region.look.low[0], image.x * cells_x))];
+  range.end = cell[first_cell + uint(first + min(region.look.high[0], (image.x + 1) * cells_x))];
+  range.image = number_of_image(images_of(s), image);
+  range.shift = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  if (range.image != region.no_image)
+    range.shift = vec4(scaled_boxes(s, image, 0u), scaled_boxes(s, image, 1u), scaled_boxes(s, image, 2u), 0.0f);
+  return range;
+}
+
+// A point of a range, where the range's image has it.
+vec4 place_in_range(uint at, vec4 shift) {
+  vec4 place = sorted[at];
+  EXACT float x = place.x + shift.x;
+  EXACT float y = place.y + shift.y;
+  EXACT float z = place.z + shift.z;
+  return vec4(x, y, z, place.w);
+}
+uint key_in_range(Region region, uint at, uint image) {
+  return (id[at] - region.first_point) << region.key_bits | image;
+}
+
+void set_range(Region region, uint r, uint number) {
+  PointRange range = range_of(region, number);
+  range_begin[r] = range.begin;
+  range_length[r] = range.end - range.begin;
+  range_image[r] = range.image;
+  range_shift[r] = range.shift;
 }
 
 // Sets up to LIST_RANGES ranges from the first on.
 void set_ranges(Region region, uint first) {
   uint r = gl_LocalInvocationID.x;
-  uint ranges = min(region.along_x * region.along_y * region.along_z - first, LIST_RANGES);
+  uint ranges = min(region.ranges - first, LIST_RANGES);
   if (r < ranges) set_range(region, r, first + r);
   if (r >= ranges && r < LIST_RANGES) range_length[r] = 0u;
   barrier();
@@ -150,23 +189,19 @@ void stage(Region region, RowBox box, float tolerance, uint k, uint first_row) {
   for (uint step = LIST_RANGES / 2u; step != 0u; step /= 2u)
     if (range_upto[r + step] <= k) r += step;
   uint at = range_begin[r] + (k - range_upto[r]);
-  vec4 other = sorted[at];
-  EXACT float x = other.x + range_shift[r].x;
-  EXACT float y = other.y + range_shift[r].y;
-  EXACT float z = other.z + range_shift[r].z;
-  EXACT float below_x = box.low.x - x;
-  EXACT float below_y = box.low.y - y;
-  EXACT float below_z = box.low.z - z;
-  EXACT float above_x = x - box.high.x;
-  EXACT float above_y = y - box.high.y;
-  EXACT float above_z = z - box.high.z;
+  vec4 other = place_in_range(at, range_shift[r]);
+  EXACT float below_x = box.low.x - other.x;
+  EXACT float below_y = box.low.y - other.y;
+  EXACT float below_z = box.low.z - other.z;
+  EXACT float above_x = other.x - box.high.x;
+  EXACT float above_y = other.y - box.high.y;
+  EXACT float above_z = other.z - box.high.z;
   EXACT float reach = box.high.w + other.w;
   float beyond = list_beyond(max(max(below_x, above_x), 0.0f), max(max(below_y, above_y), 0.0f),
                              max(max(below_z, above_z), 0.0f), reach);
   if (beyond > tolerance) return;
   uint n = atomicAdd(staged, 1u);
-  staged_point[n] = vec4(x, y, z, other.w);
-  staged_key[n] = (id[at] - region.first_point) << region.key_bits | range_image[r];
-  if (at - first_row < group_rows() && range_image[r] == region.no_image && !has_flag(LIST_ASKS))
-    own_point[at - first_row] = n;
+  staged_point[n] = other;
+  staged_key[n] = key_in_range(region, at, range_image[r]);
+  if (at - first_row < group_rows() && range_image[r] == region.no_image) own_point[at - first_row] = n;
 }
