@@ -11,19 +11,19 @@ namespace spherepair {
 namespace {
 
 // The used part of the CUDA driver API, from its reference: the header comes only with the toolkit.
-using Device = int;
+using DeviceNumber = int;
 using Handle = unsigned long long;
 using Uuid = std::array<unsigned char, GL_UUID_SIZE_EXT>;
 struct Properties {  // CUmemAllocationProp
   int type = 1;      // CU_MEM_ALLOCATION_TYPE_PINNED
   int handles = 1;   // CU_MEM_HANDLE_TYPE_POSIX_FILE_DESCRIPTOR
   int location = 1;  // CU_MEM_LOCATION_TYPE_DEVICE
-  Device device = 0;
+  DeviceNumber device = 0;
   void* windows = nullptr;
   std::array<unsigned char, 8> flags{};
 };
 static_assert(sizeof(Properties) == 32);
-constexpr int file_descriptor = 1, recommended_granularity = 1, out_of_memory = 2;
+constexpr int file_descriptor = 1, recommended_granularity = 1, error_out_of_memory = 2;
 
 // Stays open: CUDA's runtime may use it too.
 void* cuda_driver() { return dlopen("libcuda.so.1", RTLD_NOW); }
@@ -48,7 +48,7 @@ class CudaDriverMemory final : public DriverMemory {
     bytes = (bytes + page_ - 1) / page_ * page_;
     Handle handle = 0;
     const int error = create_(&handle, bytes, &properties_, 0);
-    full_ = error == out_of_memory;
+    full_ = error == error_out_of_memory;
     if (error != 0) return {};
     int descriptor = -1;
     const bool exported = export_(&descriptor, handle, file_descriptor, 0) == 0;
@@ -72,7 +72,7 @@ class CudaDriverMemory final : public DriverMemory {
 
   int (*initialise_)(unsigned) = nullptr;
   int (*count_)(int*) = nullptr;
-  int (*uuid_)(Uuid*, Device) = nullptr;
+  int (*uuid_)(Uuid*, DeviceNumber) = nullptr;
   int (*granularity_)(size_t*, const Properties*, int) = nullptr;
   int (*create_)(Handle*, size_t, const Properties*, unsigned long long) = nullptr;
   int (*export_)(void*, Handle, int, unsigned long long) = nullptr;

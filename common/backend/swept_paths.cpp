@@ -17,8 +17,6 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t few = 4096;  // up to this many spheres, threads cost more than they save
-
 bool finite(const vec4& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
@@ -84,7 +82,7 @@ std::vector<vec4> drift_velocities(const Motion::State& state, const ContactPara
     pushes[j].x -= push.x, pushes[j].y -= push.y, pushes[j].z -= push.z;
   }
   std::vector<vec4> velocities(n);
-#pragma omp parallel for schedule(static) if (n > few)
+#pragma omp parallel for schedule(static) if (n > many_moves)
   for (uint64_t i = 0; i < n; ++i) {
     const Body before = load_body(state.wide, at, i);
     const Body s = kicked(before, pushes[i], push_of_walls(before, false, c), c);
@@ -135,7 +133,7 @@ std::vector<vec4> path_velocities(const Motion::State& state, const MotionState&
   const MotionParams& m = params.motion;
   with_real(motion.precision, [&](auto kind) {
     using Real = decltype(kind);
-#pragma omp parallel for schedule(static) if (n > few)
+#pragma omp parallel for schedule(static) if (n > many_moves)
     for (uint64_t i = 0; i < n; ++i) {
       const float radius = state.positions[i].w;
       vec4& v = velocities[i];
@@ -157,7 +155,7 @@ Scene spheres_around_paths(std::span<const vec4> positions, std::span<const vec4
   const uint64_t n = positions.size();
   Scene scene = scene_of_paths(n);
   uint64_t lost = n;
-#pragma omp parallel for schedule(static) reduction(min : lost) if (n > few)
+#pragma omp parallel for schedule(static) reduction(min : lost) if (n > many_moves)
   for (uint64_t i = 0; i < n; ++i) {
     scene.positions[i] = around_path(positions[i], velocities[i], m);
     if (!finite(scene.positions[i]) && finite(positions[i])) lost = std::min(lost, i);

@@ -11,8 +11,6 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t few = 4096;  // up to this many spheres or pairs, threads cost more than they save
-
 template <typename Number>
 void add(Number& sum, Number value) {
   std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed);
@@ -40,7 +38,7 @@ void CpuContacts::sum_impulses(ImpulseSums sums) {
 }
 
 void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
-#pragma omp parallel for num_threads(threads_) schedule(static) if (positions.size() > few)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (positions.size() > many_moves)
   for (uint64_t i = 0; i < positions.size(); ++i) {
     if (is_too_far(positions[i], params_)) record(FAULT_RANGE, i);
     grown_[i] = grown_sphere(positions[i], params_);
@@ -75,7 +73,7 @@ void CpuContacts::record(uint fault, uint64_t sphere) {
 // Sums float32 impulses in the order of rows, as the kernel contact_gather does.
 void CpuContacts::gather(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   const uint64_t n = positions.size();
-#pragma omp parallel for num_threads(threads_) schedule(static) if (n > few)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (n > many_moves)
   for (uint64_t i = 0; i < n; ++i) {
     FloatPush sum = {0, 0, 0, FAULTS};
     const Body a = load_body(wide, positions, i);
@@ -100,7 +98,7 @@ void CpuContacts::awaken() {
 void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   const uint64_t n = positions.size();
   const bool floats = sums_ == ImpulseSums::atomics;
-#pragma omp parallel for num_threads(threads_) schedule(static) if (near_.size() > few)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (near_.size() > many_moves)
   for (const Pair& pair : near_) {
     const bool rests[2] = {is_at_rest(pair.first), is_at_rest(pair.second)};
     if (rests[0] && rests[1]) continue;
@@ -142,7 +140,7 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     push(wide, positions);
   }
   bool left = false;
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : left) if (n > few)
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : left) if (n > many_moves)
   for (uint64_t i = 0; i < n; ++i) {
     if (is_at_rest(i)) continue;
     const Body before = load_body(wide, positions, i);

@@ -11,12 +11,6 @@
 #include "common/shared/motion.h"
 
 namespace spherepair {
-namespace {
-
-constexpr uint64_t few = 4096;  // up to this many spheres, threads cost more than they save
-
-}  // namespace
-
 void CpuMotion::upload(const Scene& scene) {
   motion_ = scene.motion;
   unmovable_ = why_unmovable(scene);
@@ -54,14 +48,14 @@ void CpuMotion::store(uint64_t i, const Moving<Real>& sphere, bool whole) {
 template <typename Real>
 void CpuMotion::step_all(int threads) {
   const uint method = uint(motion_.method);
-#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > many_moves)
   for (uint64_t i = 0; i < positions_.size(); ++i) store(i, take_step(method, load<Real>(i), params_), true);
 }
 
 template <typename Real>
 void CpuMotion::bounce_all(int threads) {
   const uint now = event_driven_ ? params_.steps_done : NO_EVENT - 1u;
-#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > many_moves)
   for (uint64_t i = 0; i < positions_.size(); ++i) {
     if (now < kept_.next_event[i]) continue;
     const Anchor<Real> anchor = anchor_anew(load_anchor<Real>(i), params_);
@@ -93,7 +87,7 @@ void CpuMotion::evaluate(int threads, bool whole) {
   params_.steps_done = kept_.steps;
   with_real(motion_.precision, [&](auto kind) {
     using Real = decltype(kind);
-#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > few)
+#pragma omp parallel for num_threads(threads) schedule(static) if (positions_.size() > many_moves)
     for (uint64_t i = 0; i < positions_.size(); ++i) store(i, evaluate_sphere(load_anchor<Real>(i), params_), whole);
   });
   evaluated_ = true;

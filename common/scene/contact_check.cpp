@@ -20,8 +20,6 @@ constexpr double least_factor = 0x1p-71;        // loss in half a step: scaled()
 constexpr double least_loss = 256;              // units of momentum that the fastest sphere loses in half a step
 constexpr double most_units = 0x1p63 - 0x1p57;  // for sums of impulses, leaving room for their roundings
 
-double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
-
 // Returns an upper bound on a sphere's momentum plus impulses, in units. One contact alone is less than a hundredth of
 // it, far from where integer_of saturates.
 double impulse_units(const Scene& scene) {

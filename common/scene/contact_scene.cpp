@@ -18,8 +18,6 @@ constexpr int position_bits = 51, momentum_bits = 56;  // for positions at the s
 
 double squared(double x) { return x * x; }
 
-double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
-
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
 
 void take_box(Scene& scene, const WallBox& box) {
@@ -73,6 +71,8 @@ double highest_speed_of(const Scene& scene, uint64_t i) {
   const double fall = std::max(0.0, double(at.y) - double(at.w) - double(scene.plane));
   return std::sqrt(squared(speed(scene.velocities[i])) - 2 * double(scene.gravity) * fall);
 }
+
+double speed(const vec4& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
 double highest_speed(const Scene& scene) {
   const Radii r = radii_of(scene);

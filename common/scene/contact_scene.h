@@ -35,6 +35,8 @@ std::optional<WallBox> box_of(const Scene& scene);  // the box of its walls
 
 Radii radii_of(const Scene& scene);
 
+double speed(const vec4& velocity);
+
 // Returns a sphere's speed after a fall from its start onto the plane, in m/s.
 double highest_speed_of(const Scene& scene, uint64_t i);
 

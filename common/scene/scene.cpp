@@ -15,8 +15,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t many = 1 << 16;  // from this many spheres on, several threads share the work
-constexpr float box_side = 20.0f;   // the paper's: gives its counts of colliding spheres
+constexpr float box_side = 20.0f;  // the paper's: gives its counts of colliding spheres
 
 // Independent random streams, each indexed by sphere: nothing depends on the order of evaluation.
 enum class Stream : uint64_t {
@@ -104,7 +103,7 @@ void make_uniform(Scene& scene, const SceneOptions& o) {
     return value < side ? value : 0.0f;
   };
   scene.positions.resize(o.n);
-#pragma omp parallel for if (o.n > many)
+#pragma omp parallel for if (o.n > many_spheres)
   for (uint64_t i = 0; i < o.n; ++i)
     scene.positions[i] = sphere(o, coordinate(3 * i), coordinate(3 * i + 1), coordinate(3 * i + 2));
 }
@@ -178,7 +177,7 @@ void make_one_cell(Scene& scene, const SceneOptions& o) {
 void vary_radii(Scene& scene, const SceneOptions& o) {
   int octaves = 0;
   while (std::ldexp(1.0f, octaves) < o.radius_ratio) ++octaves;
-#pragma omp parallel for schedule(static) if (o.n > many)
+#pragma omp parallel for schedule(static) if (o.n > many_spheres)
   for (uint64_t i = 0; i < o.n; ++i) {
     const int octave = int(hash(o, Stream::octave, i) % uint64_t(octaves));
     const float factor = std::ldexp(1 + unit(hash(o, Stream::radius, i)), octave);
@@ -191,7 +190,7 @@ void vary_radii(Scene& scene, const SceneOptions& o) {
 void finish_test_scene(Scene& scene, const SceneOptions& o) {
   float lowest = 0;
   scene.velocities.resize(o.n);
-#pragma omp parallel for schedule(static) reduction(min : lowest) if (o.n > many)
+#pragma omp parallel for schedule(static) reduction(min : lowest) if (o.n > many_spheres)
   for (uint64_t i = 0; i < o.n; ++i) {
     lowest = std::min(lowest, scene.positions[i].y - 2 * scene.positions[i].w);
     scene.velocities[i] = {0, between(o, Stream::speed, i, -1, 1), 0, 0};

@@ -13,6 +13,9 @@
 
 namespace spherepair {
 
+// From this many spheres on, several threads share the work: little for each sphere, or as much as its motion takes.
+constexpr uint64_t many_spheres = 1 << 16, many_moves = 4096;
+
 // n spheres: positions in metres with the radius in w, velocities in metres per second.
 struct Scene {
   std::string name;

@@ -14,7 +14,6 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t many = 1 << 16;        // from this many spheres on, several threads share the work
 constexpr uint64_t hash_block = 1 << 20;  // hashes of smaller states keep their recorded value: one chain
 
 constexpr const char* dt_bounds = "dt is {} s, but must be from 2^-60 to 2^20";
@@ -60,7 +59,7 @@ std::string unsound_spheres(const std::vector<vec4>& positions, const std::vecto
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
   };
   uint64_t bad = 0, first = n;
-#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : first) if (n > many)
+#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : first) if (n > many_spheres)
   for (uint64_t i = 0; i < n; ++i)
     if (!finite(positions[i]) || !finite(velocities[i]) || positions[i].w < 0) ++bad, first = std::min(first, i);
   if (bad == 0) return "";
@@ -96,7 +95,7 @@ std::string why_unmovable(const Scene& scene, Origin origin) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)}) > largest_number;
   };
   uint64_t first = scene.size();
-#pragma omp parallel for schedule(static) reduction(min : first) if (scene.size() > many)
+#pragma omp parallel for schedule(static) reduction(min : first) if (scene.size() > many_spheres)
   for (uint64_t i = 0; i < scene.size(); ++i)
     if (large(scene.positions[i]) || large(scene.velocities[i])) first = std::min(first, i);
   if (first == scene.size()) return "";

@@ -12,7 +12,7 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t pairs_per_bucket = 4096, most_buckets = 4096;
+constexpr uint64_t pairs_per_bucket = 4096, most_pair_buckets = 4096;
 constexpr uint64_t piece = 1 << 17;  // pairs that one thread splits at a time
 constexpr uint64_t sparse = 8;       // from so many spheres a pair on, sorting by comparison is faster
 constexpr ptrdiff_t short_run = 24;
@@ -63,7 +63,7 @@ void PairSort::sort(std::span<const GrowingList<uint64_t>> lists, uint64_t n, in
   sorted.resize(pairs);
   if (pairs == 0) return;
   threads = team_of(pairs / pairs_per_bucket, threads);
-  const uint64_t wanted = std::clamp<uint64_t>(std::max(pairs, n / sparse) / pairs_per_bucket, 1, most_buckets);
+  const uint64_t wanted = std::clamp<uint64_t>(std::max(pairs, n / sparse) / pairs_per_bucket, 1, most_pair_buckets);
   shift_ = uint(std::bit_width((n - 1) / wanted));
   split_.resize(pairs);
   const size_t buckets = ((n - 1) >> shift_) + 1;

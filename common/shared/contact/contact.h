@@ -44,23 +44,23 @@ FN float push_per_length(Gap g, float closing, float reduced_cube, ContactParams
     return push;
   }
   if (g.square == 0ul) return 0.0f;
-  Surface s = surface_of(g);
-  EXACT float overlap = s.overlap * g.scale;
+  Overlap o = overlap_of(g);
+  EXACT float overlap = o.overlap * g.scale;
   EXACT float elastic = c.impulse * overlap;
   if (c.law == CONTACT_HERTZ) {
-    EXACT float push = (elastic * same_root(overlap)) * s.inverse_distance;
+    EXACT float push = (elastic * same_root(overlap)) * o.inverse_distance;
     return push;
   }
   if (c.damping == 0.0f) {
-    EXACT float push = elastic * s.inverse_distance;
+    EXACT float push = elastic * o.inverse_distance;
     return push;
   }
-  EXACT float speed = closing * s.inverse_distance;
+  EXACT float speed = closing * o.inverse_distance;
   float root = corrected_root(reduced_cube);
   EXACT float undamped = elastic + (c.damping * root) * speed;
   EXACT float halved = (c.damping * c.mobility) * 0.5f;
   EXACT float slower = corrected_quotient(halved, root) + 1.0f;
-  EXACT float push = larger(corrected_quotient(undamped, slower), 0.0f) * s.inverse_distance;
+  EXACT float push = larger(corrected_quotient(undamped, slower), 0.0f) * o.inverse_distance;
   return push;
 }
 

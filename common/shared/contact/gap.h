@@ -44,12 +44,12 @@ FN float unit_length(int64_t x) {
 }
 
 // For a gap that is not 0: 1 / distance, and the overlap, both in units of gap.scale.
-struct Surface {
+struct Overlap {
   float inverse_distance, overlap;
 };
 
 // Takes the root of the square: a float guess, corrected by the remainder of the guess's own square, an integer.
-FN Surface surface_of(Gap g) {
+FN Overlap overlap_of(Gap g) {
   EXACT float square = float_of(int64_t(g.square)) * power_of_two(-58);
   float guess = same_root(square);
   float inverse = same_reciprocal(guess);
@@ -57,8 +57,8 @@ FN Surface surface_of(Gap g) {
   uint64_t distance = uint64_t(uint(digits));
   EXACT float correction = float_of(int64_t(g.square - distance * distance)) * (inverse * power_of_two(-30));
   EXACT float overlap = (float_of(int64_t(g.reach - distance)) - correction) * power_of_two(-29);
-  Surface s = {inverse, larger(overlap, 0.0f)};
-  return s;
+  Overlap result = {inverse, larger(overlap, 0.0f)};
+  return result;
 }
 
 #endif
