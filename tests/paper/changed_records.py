@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The recorded machine, read once, and copies of it with the times of some records changed."""
+"""The recorded machine, read once, and copies of it with the times of some records changed; its numbers, collected once."""
 import copy
 import pathlib
 import sys
+import unittest.mock
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from paper.records import APIS, DATA, MAIN, Machine  # noqa: E402  (the path must be set first)
+from paper.numbers import macros  # noqa: E402  (the path must be set first)
+from paper.records import APIS, DATA, MAIN, Machine  # noqa: E402
 
 read = lru_cache(Machine)
 
@@ -44,3 +47,27 @@ def changed(wanted, factor, name=MAIN):
 
 def all_pairs(backend):
     return lambda record: record.table in ("scale", "step") and record.backend == backend
+
+
+@lru_cache(maxsize=None)
+def numbers():
+    """Those of the paper, of every machine that it uses."""
+    return macros.collect(recorded(), [recorded("llvmpipe")], three_apis())
+
+
+@contextmanager
+def laid_out_alone(but=""):
+    """Figures are laid out without pixels and leave empty files; one is saved."""
+    from matplotlib.figure import Figure
+    save = Figure.savefig
+
+    def lay_out(figure, file, **options):
+        file = pathlib.Path(file)
+        if file.stem == but:
+            return save(figure, file, **options)
+        if file.suffix == ".png":
+            figure.draw_without_rendering()
+        return file.touch()
+
+    with unittest.mock.patch.object(Figure, "savefig", lay_out):
+        yield

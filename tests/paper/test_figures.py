@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Every figure can be drawn: from recorded runs, or from made-up records if none are recorded yet."""
+"""Every figure and table of the paper can be made from the recorded runs, and says what of them is stale."""
 import contextlib
 import importlib.util
 import io
 import json
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -17,61 +18,14 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from changed_records import recorded, three_apis  # noqa: E402  (the path must be set first)
+from changed_records import laid_out_alone, recorded  # noqa: E402  (the path must be set first)
 from paper import all_figures, figures, sources, style  # noqa: E402
-from paper.numbers.derived import GRID_BYTES  # noqa: E402
 from paper.page import contents  # noqa: E402
 from paper.plots import ratio  # noqa: E402
 from paper.records import Machine, Missing, Record, latest  # noqa: E402
 from paper.tables import all_tables, energy, studies  # noqa: E402
 
 SCENE = {"name": "uniform", "packing_fraction": 0.3}
-
-
-def made_up(table, times, **parameters):
-    return [Record({"table": table, "scene": SCENE, "n": n, "label": "made up",
-                    "samples_ms": [factor * 1e-6 * n * t for factor in (0.9, 1, 1, 1.1)], **parameters}, 1e-6 * n * t,
-                   0.9e-6 * n * t, 1.1e-6 * n * t, "made up") for t in times for n in (1024, 1000000)]
-
-
-def made_up_records():
-    rows = made_up("grid", [9], backend="cpu", method="collide_grid", order="cold")
-    for backend in ("opengl", "cuda"):
-        for method, order, time in (("grid", "cold", 2), ("grid", "warm", 1), ("triangle", "cold", 3)):
-            rows += made_up("grid", [time], backend=backend, method=f"collide_{method}", order=order,
-                            share_of_floor=0.5, peak_per_second=1e12, device_stages_ms={"collide": 1.0},
-                            device_stages_interval_ms={"collide": [0.9, 1.1]})
-            for row in rows[-2:]:
-                row.parameters["floor_ms"] = 1e-9 * GRID_BYTES[order] * row.n
-        rows += made_up("draw", [1], backend=backend, draw="compute", place="outside", work="frame")
-        rows += made_up("interop", [1], backend=backend, way=f"map from {backend}")
-        for work in ("all_pairs", "grid"):
-            rows += made_up("launches", [1], backend=backend, work=work, path="waited")
-        for on in (True, False):
-            rows += made_up("ablation", [1 if on else 2], backend=backend, option="kept order", on=on)
-        for precision in ("float32", "float64"):
-            rows += made_up("precision", [1, 2], backend=backend, method="paper", precision=precision, dt=0.0625,
-                            error_m=1e-3, simulated_s=10, work="move")
-        for sums in ("integers", "in_order", "atomics"):
-            for restitution in (1, 0.9):
-                rows += made_up("contact_runs", [1, 2], backend=backend, law="spring", restitution=restitution, sums=sums,
-                                steps_a_contact=10, steps=1000, position=1e-3)
-    return rows
-
-
-def made_up_sets():
-    """A minimal record of `spherepair sets`."""
-    error = {"right": 100, "missed": 3, "extra": 2}
-    motion = [{"method": "paper", "precision": "float32", "k": 6, "dt": 1 / 64, "offset": offset, "whole_missed": 0,
-               "whole_extra": 0, **error} for offset in (0, 1e5)]
-    times = {"median_ms": 1.0, "interval_ms": [0.9, 1.1]}
-    exactness = [{"backend": name, "scene": "far", "n": 1024, "exact": times, "naive": times, **error}
-                 for name in ("cpu", "opengl")]
-    contacts = [{"backend": "opengl", "distance": distance, "pairs": 100, "missed": 8, "deviation": 2.8,
-                 "swept_missed": 0} for distance in (1.0, 3.0)]
-    return {"format": "spherepair sets 1", "id": "made up", "settings": {"seconds": 10}, "motion": motion,
-            "storage": [{"precision": "float32", "offset": 1e5, **error}], "exactness": exactness,
-            "contacts": contacts}
 
 
 def made_up_crossovers(cells, time_of_auto):
@@ -85,25 +39,6 @@ def made_up_crossovers(cells, time_of_auto):
 
 
 class Figures(unittest.TestCase):
-    def draw(self, machine):
-        left_out = []
-        for made, reason in all_figures.made(machine):
-            if reason:
-                left_out.append(reason[0])
-            else:
-                style.plt.close(made.figure)
-                self.assertTrue(made.caption)
-        return left_out
-
-    def test_each_is_drawn_if_its_records_exist(self):
-        machine = recorded()
-        kept = [r for r in machine.records if r.table not in ("grid", "draw", "interop", "ablation", "precision")]
-        machine.records = kept + made_up_records()
-        machine.sources["sets.json"] = made_up_sets()
-        self.assertEqual(["three-apis"], self.draw(machine))  # of OpenGL and CUDA alone
-        machine.records += [record for record in three_apis().records if record.table == "launches"]
-        self.assertEqual([], self.draw(machine))
-
     def test_timings_lost_in_noise_are_no_records(self):
         one = {"n": 1, "backend": "cpu", "samples_ms": [2.0] * 6}
         rows = [{**one, "median_ms": median, "interval_ms": interval}
@@ -117,7 +52,7 @@ class Figures(unittest.TestCase):
     def test_none_is_drawn_without_its_records(self):
         machine = recorded()
         machine.records, machine.sources = [], {}
-        drawn = {module.NAME for module in all_figures.modules()} - set(self.draw(machine))
+        drawn = {made.name for made, _ in all_figures.made(machine) if made}
         self.assertLessEqual(drawn, {"animations", "closeup", "same-frame", "settling"})  # images
 
 
@@ -207,13 +142,19 @@ class StaleRecords(unittest.TestCase):
 
 class Paper(unittest.TestCase):
     def test_everything_that_it_includes_is_made(self):
-        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as output:
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as output, laid_out_alone(but="scale"):
             figures.write_paper_inputs(pathlib.Path(folder))
             made = {path.name for path in pathlib.Path(folder).rglob("*")}
+            captions, runs = (pathlib.Path(folder, name).read_text() for name in ("captions.tex", "runs.tex"))
         self.assertLessEqual({"numbers.tex", "captions.tex", "trace.tex", "runs.tex", "table1.tex", "scale.pdf", "scale.png"}, made)
         self.assertRegex(output.getvalue(), "each from a recorded run")
+        self.assertNotIn("left out", output.getvalue())
         shown = {pathlib.Path(name).stem for name in made if name.endswith((".txt", ".png"))}
         self.assertEqual(set(), shown.difference(*contents.GROUPS.values()), "paper/page/contents.py lacks a title")
+        digests_of = set(re.findall(r"\\definecaption\{([\w-]+)\}.*\w+:[0-9a-f]{8}\b", captions))
+        self.assertEqual({"three-apis", "apis"}, digests_of, "of the paper's machine the appendix has the runs")
+        for run in (recorded().id, recorded().source("counters.json")["id"]):
+            self.assertIn(run, runs)
 
 
 if __name__ == "__main__":

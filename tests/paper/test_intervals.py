@@ -14,7 +14,7 @@ from paper import spread  # noqa: E402  (the path must be set first)
 from paper.numbers import ratios  # noqa: E402
 from paper.records import Record  # noqa: E402
 
-TRIALS = 1500
+TRIALS = 600
 ROUNDS = 11
 BETWEEN, WITHIN = 0.02, 0.005  # standard deviations of the logarithms: of processes, and of rounds of one
 ERROR = 3.5  # standard errors of a share that a simulation may be off
@@ -93,13 +93,13 @@ class Coverage(unittest.TestCase):
 class Families(unittest.TestCase):
     """Twenty contests without any difference: how often one is stated."""
 
-    def wrong(self, decided, families=150, contests=20):
+    def wrong(self, decided, families=80, contests=20):
         rng = random.Random(3)
         return sum(any(each.decided for each in decided([recorded(rng, 1, 5) for _ in range(contests)]))
                    for _ in range(families)) / families
 
     def test_holm_holds_the_error_of_the_family(self):
-        self.assertLessEqual(self.wrong(ratios.family), 0.05 + ERROR * math.sqrt(0.05 * 0.95 / 150))
+        self.assertLessEqual(self.wrong(ratios.family), 0.05 + ERROR * math.sqrt(0.05 * 0.95 / 80))
 
     def test_without_it_a_family_errs(self):
         self.assertGreater(self.wrong(lambda pairs: [ratios.time_ratio(*pair) for pair in pairs]), 0.4)

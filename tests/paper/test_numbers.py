@@ -13,7 +13,7 @@ from dataclasses import replace
 PAPER = pathlib.Path(__file__).resolve().parents[2] / "paper"
 sys.path.insert(0, str(PAPER.parent))
 
-from changed_records import all_pairs, changed, recorded, three_apis  # noqa: E402
+from changed_records import all_pairs, changed, numbers, recorded  # noqa: E402
 from paper import formats  # noqa: E402  (the path must be set first)
 from paper.numbers import leads, macros, prose_contacts  # noqa: E402
 from paper.records import DATA, MAIN, Machine, Missing  # noqa: E402
@@ -32,7 +32,7 @@ def check(prose, numbers, recorded=()):
 class Prose(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.numbers = macros.collect(recorded(), [recorded("llvmpipe")], three_apis())
+        cls.numbers = numbers()
 
     def test_every_number_of_the_paper_is_recorded(self):
         macros.check((PAPER / "paper.tex").read_text(), self.numbers)

@@ -16,7 +16,8 @@ if importlib.util.find_spec("matplotlib") is None:
     print("SKIPPED: figures need matplotlib (python3-matplotlib)")
     sys.exit(77)
 
-from changed_records import recorded as recorded_machine  # noqa: E402  (the path must be set first)
+from changed_records import laid_out_alone  # noqa: E402  (the path must be set first)
+from changed_records import recorded as recorded_machine  # noqa: E402
 
 from paper.numbers.contests import SHORT, Contest  # noqa: E402
 from paper.numbers.ratios import Ratio  # noqa: E402
@@ -158,7 +159,7 @@ class WithVulkan(unittest.TestCase):
                             for record in machine.records if record.parameters.get("backend") == "opengl"]
         opengl = next(backend for backend in machine.main["backends"] if backend["name"] == "opengl")
         machine.main = {**machine.main, "backends": [*machine.main["backends"], {**opengl, "name": "vulkan"}]}
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, laid_out_alone():
             made = report.make(machine, pathlib.Path(folder), Progress())
         self.assertRegex(made.equal, "on CPU, OpenGL and Vulkan")
         self.assertTrue(any(line.startswith("Vulkan: ") for line in made.backends))

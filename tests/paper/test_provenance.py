@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Each figure and table names the runs and hosts of the records that it shows, and captions hold no digests."""
+"""Each figure names the runs and hosts of the records that it shows."""
 import importlib.util
 import pathlib
 import re
 import sys
-import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -14,10 +13,9 @@ if importlib.util.find_spec("matplotlib") is None:
     sys.exit(77)
 
 from changed_records import recorded  # noqa: E402  (the path must be set first)
-from paper import all_figures, figures, folders, plots  # noqa: E402
+from paper import all_figures, figures, folders  # noqa: E402
 from paper.numbers.pareto import study  # noqa: E402
 from paper.plots import contact_precision, grid_phases, set_errors, step, work_precision, work_precision_overlay  # noqa: E402
-from paper.tables import all_tables  # noqa: E402
 
 
 class Provenance(unittest.TestCase):
@@ -51,22 +49,6 @@ class Provenance(unittest.TestCase):
         for root, text in (({}, "not named by the record"), ({"context": context}, "Abacus, 64 hardware threads"),
                            ({"context": context, "backends": [cpu]}, "Abacus, 16 threads")):
             self.assertEqual(text, folders.host_of(root))
-
-    def test_captions_hold_no_digests_and_the_appendix_has_the_runs(self):
-        with tempfile.TemporaryDirectory() as folder:
-            folder = pathlib.Path(folder)
-            drawn = []
-            for made in filter(None, (made for made, _ in all_figures.made(self.machine, rooms=(plots,)))):
-                figures.style.plt.close(made.figure)
-                drawn.append(made)
-            tables = [table for table, _ in all_tables.made(self.machine) if table]
-            captions = dict(figures.captions(self.machine, drawn, tables))
-            figures.write_runs([self.machine], (ROOT / "paper/paper.tex").read_text(), captions, folder / "runs.tex")
-            runs = (folder / "runs.tex").read_text()
-        self.assertGreater(len(captions), 30)
-        self.assertEqual([], re.findall(r"\w+:[0-9a-f]{8}\b", " ".join(captions.values())))
-        self.assertIn(f"run {self.machine.id}.", runs)
-        self.assertIn(self.machine.source("counters.json")["id"], runs)
 
 
 if __name__ == "__main__":

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from changed_records import recorded  # noqa: E402  (the path must be set first)
-from paper.numbers import contests, derived, macros, ratios  # noqa: E402
+from changed_records import numbers, recorded  # noqa: E402  (the path must be set first)
+from paper.numbers import contests, derived, ratios  # noqa: E402
 from paper.records import Missing, Record  # noqa: E402
 from paper.spread import median_interval, plain_mean  # noqa: E402
 
@@ -88,8 +88,7 @@ class Bases(unittest.TestCase):
                            backend="cuda", n=10**8)
         self.assertGreater(rate, grid.peak_per_second)
         self.assertAlmostEqual(100 * 91 * 10**8 / rate / (1e-3 * grid.median), derived.grid_share_of_floor(machine, grid))
-        numbers = macros.collect(machine, []).entries
-        self.assertEqual(f"{derived.grid_share_of_floor(machine, grid):.0f}", numbers["grid/floor/cuda/cold"][0])
+        self.assertEqual(f"{derived.grid_share_of_floor(machine, grid):.0f}", numbers().entries["grid/floor/cuda/cold"][0])
 
     def test_a_kernel_counts_from_ten_times_an_empty_ones_reading(self):
         machine = recorded()
@@ -120,15 +119,15 @@ class Bases(unittest.TestCase):
     def test_the_numbers_of_kernels_alone_are_those_of_the_rows(self):
         machine = recorded()
         values = [row.ratio[0] for row in derived.kernels_alone(machine)]
-        numbers = {key: text for key, (text, *_) in macros.collect(machine, []).entries.items()}
-        self.assertEqual(str(len(values)), numbers["kernels/all"])
-        self.assertEqual(f"{statistics.median(values):.2f}", numbers["kernels/median"])
-        self.assertEqual(str(sum(0.96 <= value <= 1.04 for value in values)), numbers["kernels/close"])
-        self.assertEqual([f"{value:.2f}x" for value in values[:2]], [numbers["kernels/worst"], numbers["kernels/second"]])
-        self.assertEqual(len(values) - 1, numbers["kernels/list"].count(", "))
+        text_of = {key: text for key, (text, *_) in numbers().entries.items()}
+        self.assertEqual(str(len(values)), text_of["kernels/all"])
+        self.assertEqual(f"{statistics.median(values):.2f}", text_of["kernels/median"])
+        self.assertEqual(str(sum(0.96 <= value <= 1.04 for value in values)), text_of["kernels/close"])
+        self.assertEqual([f"{value:.2f}x" for value in values[:2]], [text_of["kernels/worst"], text_of["kernels/second"]])
+        self.assertEqual(len(values) - 1, text_of["kernels/list"].count(", "))
 
     def test_no_lead_of_an_api_is_a_percentage(self):
-        for name, (text, *_) in macros.collect(recorded(), []).entries.items():
+        for name, (text, *_) in numbers().entries.items():
             if name.split("/")[0] in ("lead", "methods", "contests") or name.startswith(("grid/lead", "grid/last", "draw/behind")):
                 self.assertNotIn("\\%", text, name)
 
