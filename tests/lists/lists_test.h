@@ -26,20 +26,22 @@ inline std::string first_difference(const std::vector<ListedPair>& given, const 
 
 // The CPU backend also makes lists through its search, and in software OpenGL and Vulkan also run the kernels that CUDA
 // mirrors; they must give the same list.
-class Lists : public BackendTest {
- protected:
-  std::vector<ListedPair> list(const ListProblem& problem) {
-    std::vector<ListedPair> all = list_pairs(backend(), problem);
-    if (backend().info().on_host) {
-      EXPECT_EQ(first_difference(list_by_search(backend(), problem).pairs(), all), "") << "the search";
-    }
-    Device* const device = backend().device();
-    if (!device || !backend().info().software) return all;
-    if (const auto made = DeviceLists(*device).list(problem)) {
-      EXPECT_EQ(first_difference(made->pairs(), all), "") << "kernels of lists, not the search";
-    }
-    return all;
+inline std::vector<ListedPair> list_of(Backend& backend, const ListProblem& problem) {
+  std::vector<ListedPair> all = list_pairs(backend, problem);
+  if (backend.info().on_host) {
+    EXPECT_EQ(first_difference(list_by_search(backend, problem).pairs(), all), "") << "the search";
   }
+  Device* const device = backend.device();
+  if (!device || !backend.info().software) return all;
+  if (const auto made = DeviceLists(*device).list(problem)) {
+    EXPECT_EQ(first_difference(made->pairs(), all), "") << "kernels of lists, not the search";
+  }
+  return all;
+}
+
+class Lists : public KernelTest {
+ protected:
+  std::vector<ListedPair> list(const ListProblem& problem) { return list_of(backend(), problem); }
 };
 
 inline ListProblem of_points(std::vector<Point3> points, double cutoff, const ListBox& box = {}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lists by the host's threads, with every set of vector instructions, against all points and images tried one by one.
 #include <cmath>
+#include <deque>
 
 #include "common/lists/host_lists.h"
 #include "tests/lists/lists_test.h"
@@ -9,19 +10,24 @@
 namespace spherepair {
 namespace {
 
-class HostListsOf : public testing::TestWithParam<size_t> {
+class HostListsOf : public testing::Test {
  protected:
   void SetUp() override {
-    if (GetParam() >= row_simds().size()) GTEST_SKIP() << "this machine has fewer sets of vector instructions";
-    lists_.emplace(2, row_simds()[GetParam()]);
+    for (const RowSimd& simd : row_simds()) lists_.emplace_back(2, simd);
   }
-  // The same object makes all lists of a test: nothing of one may come into the next.
+  // Every set of vector instructions makes the same list. The same objects make all lists of a test: nothing of one may
+  // come into the next.
   std::vector<ListedPair> list(const ListProblem& problem) {
     check_problem(problem);
-    EXPECT_TRUE(lists_->list(problem, true, rows_)) << "left to the search";
-    return rows_.pairs();
+    std::vector<ListedPair> first;
+    for (size_t k = 0; k < lists_.size(); ++k) {
+      EXPECT_TRUE(lists_[k].list(problem, true, rows_)) << "left to the search";
+      if (k == 0) first = rows_.pairs();
+      EXPECT_EQ(first_difference(rows_.pairs(), first), "") << row_simds()[k].name << " and " << row_simds()[0].name;
+    }
+    return first;
   }
-  std::optional<HostLists> lists_;
+  std::deque<HostLists> lists_;
   PairRows rows_;
 };
 
@@ -61,7 +67,7 @@ ListProblem large_problem(Random& random, uint64_t points) {
   return problem;
 }
 
-TEST_P(HostListsOf, SmallSystemsEqualThoseOfIntegers) {
+TEST_F(HostListsOf, SmallSystemsEqualThoseOfIntegers) {
   Random random(91);
   uint64_t pairs = 0;
   for (int k = 0; k < 600; ++k) {
@@ -75,7 +81,7 @@ TEST_P(HostListsOf, SmallSystemsEqualThoseOfIntegers) {
 }
 
 // Multiples of 1/8: many points are on the borders of cells, and many pairs are tangent.
-TEST_P(HostListsOf, CellsEqualThoseOfIntegers) {
+TEST_F(HostListsOf, CellsEqualThoseOfIntegers) {
   Random random(92);
   uint64_t pairs = 0;
   const int cases = by_form(4, 1);
@@ -90,7 +96,7 @@ TEST_P(HostListsOf, CellsEqualThoseOfIntegers) {
 }
 
 // Coordinates around 2^20 with steps of 2^-32: float32 tells no pair, float64 not all.
-TEST_P(HostListsOf, CellsDecideInRealNumbers) {
+TEST_F(HostListsOf, CellsDecideInRealNumbers) {
   Random random(93);
   ListProblem problem = of_points({}, 1);
   for (int i = 0; i < 515; ++i) {
@@ -102,7 +108,7 @@ TEST_P(HostListsOf, CellsDecideInRealNumbers) {
 }
 
 // Two points each, a little more or less than the cutoff apart: float32 would get a half of them wrong.
-TEST_P(HostListsOf, RoundingToFloat32LosesNoPairAndAddsNone) {
+TEST_F(HostListsOf, RoundingToFloat32LosesNoPairAndAddsNone) {
   Random random(96);
   ListProblem problem = of_points({}, 1);
   for (int i = 0; i < 260; ++i) {
@@ -117,7 +123,7 @@ TEST_P(HostListsOf, RoundingToFloat32LosesNoPairAndAddsNone) {
   EXPECT_EQ(first_difference(list(problem), wanted), "");
 }
 
-TEST_P(HostListsOf, NoPointsOrFewOfThem) {
+TEST_F(HostListsOf, NoPointsOrFewOfThem) {
   for (const uint64_t count : {0, 1, 2})
     for (const bool half : {false, true})
       for (const bool self : {false, true})
@@ -129,7 +135,7 @@ TEST_P(HostListsOf, NoPointsOrFewOfThem) {
 }
 
 // Large and small systems side by side, whose rows several threads find.
-TEST_P(HostListsOf, SystemsOfAnySizeAreThoseOfEach) {
+TEST_F(HostListsOf, SystemsOfAnySizeAreThoseOfEach) {
   Random random(94);
   ListProblem all = of_points({}, 0.75);
   all.set.offsets = {0}, all.boxes.clear();
@@ -149,7 +155,7 @@ TEST_P(HostListsOf, SystemsOfAnySizeAreThoseOfEach) {
 }
 
 // What cells cannot help with is left to the search, and the list is the same.
-TEST_P(HostListsOf, CrowdsAndGiantsAreLeftToTheSearch) {
+TEST_F(HostListsOf, CrowdsAndGiantsAreLeftToTheSearch) {
   Random random(95);
   const std::vector<Backend*> all = open_backends();
   Backend& cpu = **std::ranges::find_if(all, [](Backend* each) { return each->info().on_host; });
@@ -163,14 +169,10 @@ TEST_P(HostListsOf, CrowdsAndGiantsAreLeftToTheSearch) {
   }
   for (ListProblem* const problem : {&crowd, &giant}) {
     problem->set.offsets = {0, problem->set.points.size()};
-    EXPECT_FALSE(lists_->list(*problem, true, rows_));
+    for (HostLists& lists : lists_) EXPECT_FALSE(lists.list(*problem, true, rows_));
     EXPECT_EQ(first_difference(list_pairs(cpu, *problem), list_by_integers(*problem, 0)), "");
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Vectors, HostListsOf, testing::Values(0, 1, 2), [](const auto& info) {
-  return info.param < row_simds().size() ? std::string(row_simds()[info.param].name) : fmt::format("set{}", info.param);
-});
 
 }  // namespace
 }  // namespace spherepair

@@ -11,13 +11,13 @@ namespace {
 TEST_P(Lists, EqualThoseOfAllPointsAndImages) {
   Random random(59);
   uint64_t pairs = 0;
-  for (int k = 0; k < by_form(backend(), 300, 60); ++k) {
+  for (int k = 0; k < by_form(backend(), 300, 30); ++k) {
     const ListProblem problem = random_problem(random);
     const std::vector<ListedPair> wanted = list_by_integers(problem, 10);
     ASSERT_EQ(first_difference(list(problem), wanted), "") << "case " << k;
     pairs += wanted.size();
   }
-  EXPECT_GT(pairs, 1000u);
+  EXPECT_GT(pairs, 300u);
 }
 
 // Coordinates around 2^20 with steps of 2^-32: tangent but for a few units of 2^-53 of the distance.
@@ -65,7 +65,7 @@ TEST_P(Lists, AReachOfZeroHasPointsInOnePlace) {
 TEST_P(Lists, FarImagesAreThoseOfRationalNumbers) {
   Random random(65);
   int pairs = 0, near = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < by_form(backend(), 200, 80); ++k) {
     const double edge = 0.1 * random.between(13, 17);
     const int boxes = random.between(1000, 100'000);
     ListProblem problem =
@@ -82,8 +82,8 @@ TEST_P(Lists, FarImagesAreThoseOfRationalNumbers) {
     problem.cutoff += 1e-9;
     near += int(list(problem).size() - wanted.size());
   }
-  EXPECT_GT(pairs, 50);
-  EXPECT_GT(near, 5) << "no ties";
+  EXPECT_GT(pairs, 20);
+  EXPECT_GT(near, 2) << "no ties";
 }
 
 // The cutoff is so short that rounding to float32 brings points of neighbouring systems within reach. They are at one
@@ -121,7 +121,7 @@ TEST_P(Lists, OfManySystemsAreThoseOfEach) {
   ListProblem all = of_points({}, 1.5);
   all.boxes.clear(), all.set.offsets = {0};
   std::vector<ListedPair> wanted;
-  for (uint32_t b = 0; b < 50; ++b) {
+  for (uint32_t b = 0; b < 24; ++b) {
     ListProblem one = of_points({}, 1.5, b % 3 == 0 ? ListBox{} : cube(2.0 + b));
     for (uint32_t i = 0; i < 3 * b; ++i)
       one.set.points.push_back({random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4 + b)});
@@ -132,7 +132,7 @@ TEST_P(Lists, OfManySystemsAreThoseOfEach) {
     all.set.offsets.push_back(all.set.size());
     all.boxes.push_back(one.boxes[0]);
   }
-  EXPECT_GT(wanted.size(), 5000u);
+  EXPECT_GT(wanted.size(), 1000u);
   EXPECT_EQ(first_difference(list(all), wanted), "");
 }
 
@@ -195,7 +195,23 @@ TEST_P(Lists, ARefusalLeavesTheNextListAsItIs) {
   }
 }
 
+// Of every API some systems, small and large, by the search and by kernels of lists.
+class ListsOfEveryApi : public BackendTest {};
+
+TEST_P(ListsOfEveryApi, AreThoseOfTheHost) {
+  Random random(67);
+  for (const uint64_t points : {3, 300, 2100}) {
+    ListProblem problem = of_points({}, 0.8, cube(10));
+    for (uint64_t i = 0; i < points; ++i)
+      problem.set.points.push_back({random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)});
+    problem.set.offsets = {0, points / 3, points}, problem.boxes.resize(2);
+    EXPECT_EQ(first_difference(list_of(backend(), problem), list_pairs(*all_backends().front().backend, problem)), "")
+        << points;
+  }
+}
+
 INSTANTIATE_BACKENDS(Lists);
+INSTANTIATE_BACKENDS(ListsOfEveryApi);
 
 }  // namespace
 }  // namespace spherepair

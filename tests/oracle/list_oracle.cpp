@@ -24,22 +24,41 @@ bool is_excluded(const ListProblem& problem, uint32_t i, uint32_t j) {
   });
 }
 
+template <typename Number>
+using Vector = std::array<Number, 3>;
+
 template <typename Kind>
-bool is_pair(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
-  using Number = typename Kind::Number;
+Vector<typename Kind::Number> numbers_of(const Point3& point) {
+  return {Kind::of(point[0]), Kind::of(point[1]), Kind::of(point[2])};
+}
+
+template <typename Kind>
+Vector<typename Kind::Number> image_of(const ListBox& box, const Shift& shift) {
+  Vector<typename Kind::Number> image{};
+  for (size_t k = 0; k < 3; ++k)
+    if (shift[k] != 0)
+      for (size_t axis = 0; axis < 3; ++axis)
+        image[axis] += typename Kind::Number(shift[k]) * Kind::of(box.rows[k][axis]);
+  return image;
+}
+
+template <typename Kind>
+typename Kind::Number reach_of(const ListProblem& problem, uint32_t i, uint32_t j) {
+  const auto skin = Kind::of(problem.skin);
+  if (problem.set.radii.empty()) return skin + Kind::of(problem.cutoff);
+  return skin + Kind::of(problem.firsts().radii[i]) + Kind::of(problem.set.radii[j]);
+}
+
+template <typename Number>
+bool is_pair(const Vector<Number>& first, const Vector<Number>& second, const Vector<Number>& image,
+             const Number& reach, bool inclusive) {
   Number squared = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
-    Number way = Kind::of(problem.set.points[pair.second][axis]) - Kind::of(problem.firsts().points[pair.first][axis]);
-    for (size_t k = 0; k < 3; ++k)
-      if (pair.shift[k] != 0) way += Number(pair.shift[k]) * Kind::of(box.rows[k][axis]);
+    const Number way = second[axis] - first[axis] + image[axis];
+    if (way > reach || -way > reach) return false;
     squared += way * way;
   }
-  Number reach = Kind::of(problem.skin);
-  if (problem.set.radii.empty())
-    reach += Kind::of(problem.cutoff);
-  else
-    reach += Kind::of(problem.firsts().radii[pair.first]) + Kind::of(problem.set.radii[pair.second]);
-  return squared < reach * reach || (problem.inclusive && squared == reach * reach);
+  return squared < reach * reach || (inclusive && squared == reach * reach);
 }
 
 // Which of the two that stand for the same is in a half list.
@@ -51,27 +70,43 @@ bool is_of_half(const ListedPair& pair) {
 }
 
 template <typename Kind>
+struct Image {
+  Shift shift;
+  Vector<typename Kind::Number> way;
+};
+
+template <typename Kind>
+std::vector<Image<Kind>> images_of(const ListBox& box, int range) {
+  std::vector<Image<Kind>> images;
+  const auto to = [&](size_t k) { return box.periodic[k] ? range : 0; };
+  for (int x = -to(0); x <= to(0); ++x)
+    for (int y = -to(1); y <= to(1); ++y)
+      for (int z = -to(2); z <= to(2); ++z) images.push_back({{x, y, z}, image_of<Kind>(box, {x, y, z})});
+  return images;
+}
+
+template <typename Kind>
 std::vector<ListedPair> list_by(const ListProblem& problem, int range) {
   std::vector<ListedPair> list;
   const PointSet &firsts = problem.firsts(), &seconds = problem.set;
+  std::vector<Vector<typename Kind::Number>> from, to;
+  std::ranges::transform(firsts.points, std::back_inserter(from), numbers_of<Kind>);
+  std::ranges::transform(seconds.points, std::back_inserter(to), numbers_of<Kind>);
   for (size_t b = 0; b + 1 < seconds.offsets.size(); ++b) {
     const ListBox& box = problem.boxes[b];
-    const auto to = [&](size_t k) { return box.periodic[k] ? range : 0; };
+    const std::vector<Image<Kind>> images = images_of<Kind>(box, range);
     for (auto i = uint32_t(firsts.offsets[b]); i < firsts.offsets[b + 1]; ++i)
       for (auto j = uint32_t(seconds.offsets[b]); j < seconds.offsets[b + 1]; ++j) {
-        if (is_excluded(problem, i, j)) continue;
-        for (int x = -to(0); x <= to(0); ++x)
-          for (int y = -to(1); y <= to(1); ++y)
-            for (int z = -to(2); z <= to(2); ++z) {
-              const ListedPair pair{i, j, {x, y, z}};
-              const bool self = !problem.asks && i == j && pair.shift == Shift{};
-              if ((self && !problem.self_pairs) || (problem.half && !is_of_half(pair))) continue;
-              if (!is_pair<Kind>(problem, box, pair)) continue;
-              for (size_t k = 0; k < 3; ++k)
-                if (box.periodic[k] && std::abs(pair.shift[k]) == range)
-                  throw std::logic_error("the range is too short");
-              list.push_back(pair);
-            }
+        const auto reach = reach_of<Kind>(problem, i, j);
+        for (const Image<Kind>& image : images) {
+          const ListedPair pair{i, j, image.shift};
+          const bool self = !problem.asks && i == j && pair.shift == Shift{};
+          if ((self && !problem.self_pairs) || (problem.half && !is_of_half(pair))) continue;
+          if (!is_pair(from[i], to[j], image.way, reach, problem.inclusive) || is_excluded(problem, i, j)) continue;
+          for (size_t k = 0; k < 3; ++k)
+            if (box.periodic[k] && std::abs(pair.shift[k]) == range) throw std::logic_error("the range is too short");
+          list.push_back(pair);
+        }
       }
   }
   std::ranges::sort(list);
@@ -124,7 +159,9 @@ std::vector<ListedPair> list_by_rationals(const ListProblem& problem, int range)
 }
 
 bool is_pair_by_rationals(const ListProblem& problem, const ListBox& box, const ListedPair& pair) {
-  return is_pair<Rationals>(problem, box, pair);
+  return is_pair(numbers_of<Rationals>(problem.firsts().points[pair.first]),
+                 numbers_of<Rationals>(problem.set.points[pair.second]), image_of<Rationals>(box, pair.shift),
+                 reach_of<Rationals>(problem, pair.first, pair.second), problem.inclusive);
 }
 
 ListProblem random_problem(Random& random) {
