@@ -53,11 +53,11 @@ View view_of(const Scene& scene, int step) {
 TEST_P(DrawCulling, NoImageChanges) {
   for (const char* kind : {"uniform", "clustered"}) {
     const float ratio = kind[0] == 'c' ? 20 : 1;
-    const uint64_t n = by_form(backend(), 5000, 2500);
+    const uint64_t n = by_form(backend(), 5000, 2000);
     const Scene scene = make_scene({.name = kind, .n = n, .radius = 0.5f / ratio, .radius_ratio = ratio});
     backend().upload(scene);
     backend().collide({.method = Method::collide_grid});
-    for (const int step : {0, 3, 4}) {
+    for (const int step : kind[0] == 'c' ? std::vector{3} : std::vector{0, 4}) {
       const View view = view_of(scene, step);
       const Image expected = image_of(backend(), view, everything);
       for (const DrawOptions& options : all_culling())
@@ -71,7 +71,7 @@ TEST_P(DrawCulling, NoImageChanges) {
 
 // Spheres move while the camera does; those in no cell order form poor clusters, but clusters.
 TEST_P(DrawCulling, WhileSpheresMove) {
-  const Scene scene = make_scene({.n = 5000});
+  const Scene scene = make_scene({.n = by_form(backend(), 5000u, 2000u)});
   for (const size_t ablation : {both, deferring, bundled})
     for (const bool collide : {false, true}) {
       backend().upload(scene);
@@ -163,7 +163,7 @@ TEST_P(DrawCulling, ThroughAHole) {
 
 // Longer than a sphere that is not seen again stands in the list of those seen, there and back.
 TEST_P(DrawCulling, OverManyImages) {
-  const Scene scene = make_scene({.name = "uniform", .n = by_form(backend(), 8000u, 4000u)});
+  const Scene scene = make_scene({.name = "uniform", .n = by_form(backend(), 8000u, 2000u)});
   backend().upload(scene);
   backend().collide({.method = Method::collide_grid});
   for (const size_t ablation : {2, 3, 4, 5}) {  // the far ones at once, deferred, by bundles

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint width = 93, height = 61;
 
-class DrawLight : public BackendTest {};
+class DrawLight : public KernelTest {};
 
 float light_around(const Surface& s, const Scene& scene, const Params& p) {
   uint taken = 0;

@@ -133,7 +133,7 @@ TEST_P(DrawTurns, TilesAreLeftOutWhereNoneCanBe) {
   };
   launches_of(make_view({}, contact_look(), 203, 117), false);  // the first makes the pixels clear
   int left_out = 0, large = 0, close_call = 0;
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < by_form(backend(), 400, 150); ++k) {
     Camera camera;
     const double away = number(4, 40);
     for (int a = 0; a < 3; ++a) camera.target[a] = number(-6, 16);

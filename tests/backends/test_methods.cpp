@@ -54,6 +54,7 @@ void expect_naive(Backend& backend, const Scene& scene, std::span<const Pair> ex
 }
 
 class Methods : public BackendTest {};
+class MethodsInKernels : public KernelTest {};
 
 // The grid keeps its cells while spheres stand still, also when another method comes between.
 TEST_P(Methods, OneAfterTheOther) {
@@ -67,12 +68,12 @@ TEST_P(Methods, OneAfterTheOther) {
 }
 
 // In software one group size a scene, by turns.
-TEST_P(Methods, EverySceneEqualsTheOracle) {
+TEST_P(MethodsInKernels, OfEverySceneEqualTheOracle) {
   const size_t sizes = by_form(backend(), block_sizes().size(), size_t(1));
-  uint64_t n = 300;
+  uint64_t n = 250;
   size_t first = 0;
   for (const SceneKind& kind : scene_kinds()) {
-    n += 37;
+    n += 23;
     for (const Scene& scene : scenes_of_kind(kind.name, n)) {
       const auto blocks = block_sizes().subspan(first, sizes);
       expect_pairs(backend(), scene, brute_force_pairs(scene.positions), every_method(backend(), blocks));
@@ -94,9 +95,9 @@ TEST_P(Methods, SmallGroupsAreOfTheTiledKernelOnly) {
   }
 }
 
-TEST_P(Methods, NaiveIsWrongOnlyWithinRounding) {
+TEST_P(MethodsInKernels, NaiveIsWrongOnlyWithinRounding) {
   for (const SceneKind& kind : scene_kinds())
-    for (const Scene& scene : scenes_of_kind(kind.name, 515)) {
+    for (const Scene& scene : scenes_of_kind(kind.name, 259)) {
       const std::vector<Pair> expected = brute_force_pairs(scene.positions);
       backend().upload(scene);
       for (const CollideOptions& options : every_method(backend(), block_sizes().subspan(1, by_form(backend(), 2, 1))))
@@ -106,25 +107,15 @@ TEST_P(Methods, NaiveIsWrongOnlyWithinRounding) {
     }
 }
 
-// Row 14 in small: a radius ratio of 10^5 in one scene.
-TEST_P(Methods, RadiiAcrossFiveDecades) {
-  Scene scene = make_scene({.name = "uniform", .n = 900, .radius = 0.001f, .radius_ratio = 1e5f});
-  for (size_t i = 0; i < scene.size(); i += 90) scene.positions[i].w = 0;
-  const std::vector<Pair> expected = brute_force_pairs(scene.positions);
-  EXPECT_FALSE(expected.empty());
-  expect_pairs(backend(), scene, expected, every_method(backend(), block_sizes()));
-}
-
 // The number of spheres that a group of collide_triangle tests affects only its speed.
-TEST_P(Methods, ColumnsNeverChangeTheSet) {
+TEST_P(MethodsInKernels, ColumnsNeverChangeTheSet) {
   if (backend().info().on_host) GTEST_SKIP() << "the CPU has no groups";
   std::vector<CollideOptions> methods;
   for (uint block : {32u, 256u})
-    for (uint columns : {0u, 1u, 7u, 32u, 100u, 1024u, 5000u, ~0u})
-      methods.push_back({.block = block, .columns = columns});
-  for (const uint64_t n : {200, 257, 1024, 1281, 2049, by_form(backend(), 4100, 1281)})  // 1 to 17 groups of 256 rows
+    for (uint columns : {1u, 7u, 100u, 1024u, ~0u}) methods.push_back({.block = block, .columns = columns});
+  for (const uint64_t n : {200, 257, by_form(backend(), 4100, 1281)})  // 1 to 17 groups of 256 rows
     for (const float radius_ratio : {1.0f, 3.0f}) {
-      if (radius_ratio > 1 && n != 257 && n != 2049) continue;
+      if (radius_ratio > 1 && n != 257) continue;
       SCOPED_TRACE(fmt::format("{} spheres, radii 1 to {}", n, radius_ratio));
       SceneOptions options = {.name = "uniform", .n = n, .radius_ratio = radius_ratio};
       options.packing_fraction = 0.1;
@@ -141,11 +132,11 @@ TEST_P(Methods, NothingIsLeftFromTheStepBefore) {
   }
 }
 
-TEST_P(Methods, RightAfterEveryMove) {
+TEST_P(MethodsInKernels, RightAfterEveryMove) {
   const Scene scene = make_scene({.name = "random", .n = 700});
   backend().upload(scene);
   const std::vector<CollideOptions> methods = every_method(backend(), block_sizes().subspan(3, 1));
-  for (size_t step = 0; step < 40; ++step) {
+  for (size_t step = 0; step < 21; ++step) {
     backend().move();
     CollideOptions options = methods[step % methods.size()];
     options.want_pairs = step % 3 == 0;
@@ -189,7 +180,7 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
     return backend().choice({.method = Method::automatic});
   };
   for (const char* scene : {"uniform", "clustered", "random"})
-    for (const uint64_t n : {2, 60, 300, 2300, 4000, 6500}) took({.name = scene, .n = n});
+    for (const uint64_t n : {2, 300, 4000}) took({.name = scene, .n = n});
   EXPECT_NE(took({.name = "uniform", .n = uint64_t(row.grid_from / 2)}).method, Method::collide_grid);
   EXPECT_EQ(took({.name = "uniform", .n = many}).method, Method::collide_grid);
   const uint64_t in_one_cell = backend().info().software ? 700 : 4000;
@@ -201,6 +192,7 @@ TEST_P(Methods, AutomaticIsRightWhateverItTakes) {
 }
 
 INSTANTIATE_BACKENDS(Methods);
+INSTANTIATE_BACKENDS(MethodsInKernels);
 
 }  // namespace
 }  // namespace spherepair

@@ -142,7 +142,8 @@ std::vector<Relation> relations(std::span<const vec4> spheres) {
 std::vector<Pair> brute_force_pairs(std::span<const vec4> spheres) {
   return gather(spheres.size(), [&](size_t i, Decided& mine) {
     for (size_t j = i + 1; j < spheres.size(); ++j)
-      if (relation(spheres[i], spheres[j]) == Relation::overlapping) mine.push_back({uint(i), uint(j)});
+      if (boxes_may_overlap(spheres[i], spheres[j]) && relation(spheres[i], spheres[j]) == Relation::overlapping)
+        mine.push_back({uint(i), uint(j)});
   });
 }
 

@@ -36,7 +36,7 @@ std::string why_no_pipeline(Backend& backend) {
 }
 
 void DeviceImages::SetUp() {
-  BackendTest::SetUp();
+  KernelTest::SetUp();
   if (IsSkipped() || HasFatalFailure()) return;
   if (backend().info().on_host) GTEST_SKIP() << "the CPU draws every sphere anew";
 }

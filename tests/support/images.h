@@ -14,7 +14,7 @@ struct Image {
 Image brute_force_image(const std::vector<vec4>& spheres, const std::vector<uint>& contacts, const View& view);
 
 // Tests of data that a device keeps from one image to the next, or leaves out; the CPU draws every sphere anew.
-class DeviceImages : public BackendTest {
+class DeviceImages : public KernelTest {
  protected:
   void SetUp() override;
 };
