@@ -20,7 +20,7 @@ void expect_grid(const Scene& scene, const std::string& what) {
 
 TEST(CpuGrid, EqualsAllPairsOnEveryScene) {
   for (const SceneKind& kind : scene_kinds())
-    for (uint64_t n : {0, 1, 2, 3, 100, by_form(5000, 900)})
+    for (uint64_t n : {0, 1, 2, 3, 100, by_form(2000, 500)})
       for (float ratio : {1.0f, 3.0f, 1000.0f, 1e5f})
         expect_grid(make_scene({.name = kind.name, .n = n, .radius = 0.5f / ratio, .radius_ratio = ratio}),
                     fmt::format("{}, radius ratio {}", kind.name, ratio));
@@ -30,7 +30,7 @@ TEST(CpuGrid, FarFromTheOriginAndBelowZero) {
   for (const SceneKind& kind : scene_kinds())
     for (float offset : {-3.0f, -1e3f, 1e5f, -1e7f, 1e9f})
       for (float ratio : {1.0f, 300.0f})
-        expect_grid(make_scene({.name = kind.name, .n = 700, .radius_ratio = ratio, .offset = offset}),
+        expect_grid(make_scene({.name = kind.name, .n = 260, .radius_ratio = ratio, .offset = offset}),
                     fmt::format("{}, offset {}, radius ratio {}", kind.name, offset, ratio));
 }
 
@@ -38,7 +38,7 @@ TEST(CpuGrid, FarFromTheOriginAndBelowZero) {
 TEST(CpuGrid, RadiiAcrossFiveDecades) {
   for (double fraction : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const char* kind : {"uniform", "clustered"}) {
-      SceneOptions options = {.name = kind, .n = by_form(4000u, 900u), .radius = 0x1p-10f, .radius_ratio = 1e5f};
+      SceneOptions options = {.name = kind, .n = by_form(2000u, 600u), .radius = 0x1p-10f, .radius_ratio = 1e5f};
       options.packing_fraction = fraction;
       Scene scene = make_scene(options);
       expect_grid(scene, fmt::format("{} at {}", kind, fraction));
@@ -50,7 +50,7 @@ TEST(CpuGrid, RadiiAcrossFiveDecades) {
 TEST(CpuGrid, OneSphereFarAway) {
   for (float ratio : {1.0f, 3.0f, 1000.0f})
     for (vec4 far : {vec4{1e9f, 0, 0, 0.5f}, vec4{-1e9f, 1e9f, 3e38f, 0.5f}, vec4{0, -3e38f, 0, 0.5f}}) {
-      Scene scene = make_scene({.name = "uniform", .n = 3000, .radius_ratio = ratio});
+      Scene scene = make_scene({.name = "uniform", .n = 1500, .radius_ratio = ratio});
       scene.positions[1234] = far;
       expect_grid(scene, fmt::format("radius ratio {}, one at ({}, {}, {})", ratio, far.x, far.y, far.z));
     }
@@ -58,7 +58,7 @@ TEST(CpuGrid, OneSphereFarAway) {
 
 TEST(CpuGrid, HugeAndTinyNumbers) {
   for (int exponent : {-140, -120, -100, -80, -40, 60, 95, 110, 120}) {
-    Scene scene = make_scene({.name = "uniform", .n = 900, .radius_ratio = exponent % 20 ? 1.0f : 50.0f});
+    Scene scene = make_scene({.name = "uniform", .n = 400, .radius_ratio = exponent % 20 ? 1.0f : 50.0f});
     for (vec4& s : scene.positions)
       s = {std::ldexp(s.x, exponent), std::ldexp(s.y, exponent), std::ldexp(s.z, exponent), std::ldexp(s.w, exponent)};
     expect_grid(scene, fmt::format("times 2^{}", exponent));
@@ -135,7 +135,7 @@ TEST(CpuGrid, EveryNumberOfThreadsGivesTheSame) {
     for (Cells cells : both_cells) {
       CpuGrid grid;
       const StepResult one = result_of(grid, scene, cells, true, 1);
-      for (int threads = 2; threads <= 8; ++threads) {
+      for (const int threads : {2, 3, 8}) {
         const StepResult other = result_of(grid, scene, cells, true, threads);
         EXPECT_TRUE(other.totals.fingerprint == one.totals.fingerprint && other.counts == one.counts &&
                     other.pairs == one.pairs && other.totals.deferred == one.totals.deferred)
@@ -163,7 +163,7 @@ TEST(CpuGrid, FollowsMovesOutOfItsCells) {
   Scene scene = make_scene({.name = "random", .n = 3000});
   for (vec4& v : scene.velocities) v = {v.y, v.y * 3, -v.y, 0};
   backend->upload(scene);
-  for (int step = 0; step < 300; ++step) {
+  for (int step = 0; step < 60; ++step) {
     backend->move();
     CollideOptions options = {.method = Method::collide_grid, .want_pairs = step % 2 == 0};
     options.grid.cells = step % 3 ? Cells::dense : Cells::hashed;
