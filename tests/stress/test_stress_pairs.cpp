@@ -9,8 +9,10 @@
 namespace spherepair {
 namespace {
 
+// In short form a tenth of the plan, but of numbers that are not finite every case.
 Tally judge(Backend& backend, Family family) {
-  const Tally result = tally(family, PLANS[size_t(family)].pairs,
+  const bool all = is_gpu(backend) || full_stress() || family == Family::nonfinite;
+  const Tally result = tally(family, PLANS[size_t(family)].pairs / (all ? 1 : 10),
                              [&](std::span<const vec4> spheres) { return backend.decide(spheres); });
   backend.check_guards();
   EXPECT_EQ(result.wrong, 0u) << "of " << result.pairs << "; the first: " << result.first_wrong;

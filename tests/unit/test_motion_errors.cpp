@@ -56,7 +56,7 @@ constexpr Known KNOWN[] = {
     {{MotionMethod::anchored, F64}, {3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15, 3.7e-15}, true}};
 
 TEST_P(StressCatalogue, Row22_ErrorsAsTheyAreKnown) {
-  const int finest = backend().info().software ? 8 : full_stress() ? 14 : 12;
+  const int finest = backend().info().software ? 8 : full_stress() ? 14 : is_gpu(backend()) ? 12 : 10;
   for (const Known& known : KNOWN) {
     std::string line;
     for (int k = 4; k <= finest; k += 2) {
