@@ -75,13 +75,11 @@ class StudyProgram : public ProgramTest {
   void expect_no_wrong_result_timed(const std::string& words) const {
     const Outcome right = study("none", words);
     EXPECT_EQ(right.code, 0) << right.errors;
-    for (const auto* faults : {&set_faults(), &state_faults()})
-      for (const NamedFault& fault : *faults) {
-        if (fault.fault == Fault::listed_pair) continue;
-        const Outcome wrong = study(fault.name, words);
-        EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
-        EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
-      }
+    for (const NamedFault& fault : {set_faults().front(), state_faults().front()}) {
+      const Outcome wrong = study(fault.name, words);
+      EXPECT_EQ(wrong.code, 1) << fault.name << wrong.output;
+      EXPECT_NE(wrong.errors.find(fault.found_as), std::string::npos) << wrong.errors;
+    }
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "bench/cli/commands.h"
 #include "common/scene/known_name.h"
+#include "tests/support/backends.h"
 #include "tests/support/program.h"
 
 namespace spherepair {
@@ -161,7 +162,8 @@ TEST_F(CommandLineTest, RunSaysWhereThePlaneIsIfSpheresMove) {
 }
 
 TEST_F(CommandLineTest, ProgressIsForATerminalAlone) {
-  const std::string words = "run --backend cpu --threads 1 --motion paper --n 20000 --steps 10k";
+  const std::string words =
+      fmt::format("run --backend cpu --threads 1 --motion paper --n {} --steps 10k", by_form(20'000, 2000));
   EXPECT_EQ(run(words).errors, "") << "a pipe stays quiet";
   const Outcome outcome =
       run_shell(fmt::format("script -qec '{} {}' /dev/null </dev/null", SPHEREPAIR_PROGRAM, words), folder_);

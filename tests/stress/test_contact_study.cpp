@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "bench/io/report.h"
 #include "bench/studies/contact/contact_study.h"
 #include "tests/faults/faulty_session.h"
 #include "tests/support/backends.h"
@@ -168,6 +170,9 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
     EXPECT_EQ(rate.at("error").is_null(), rate.at("steps_a_contact") == 80);
   }
   EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
+  std::istringstream lines(outcome.output);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_TRUE(line.size() <= kTextWidth || line.starts_with("Results: ")) << line;
 }
 
 // A single layer in few steps; the same bits awake are compared by the study itself.
