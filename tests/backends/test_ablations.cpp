@@ -57,7 +57,7 @@ TEST_P(Ablations, NoneChangesTheSet) {
   std::vector<CollideOptions> all = common_options();
   for (const CollideOptions& options : offered(backend(), special_options())) all.push_back(options);
   for (const SceneOptions& scene :
-       {SceneOptions{.name = "uniform", .n = 2000}, SceneOptions{.name = "uniform", .n = 900, .radius_ratio = 16},
+       {SceneOptions{.name = "uniform", .n = 1100}, SceneOptions{.name = "uniform", .n = 500, .radius_ratio = 16},
         SceneOptions{.name = "lattice", .n = 729}, SceneOptions{.name = "one_cell", .n = 90},
         SceneOptions{.name = "uniform", .n = 1}, SceneOptions{.name = "uniform", .n = 0}}) {
     const Scene made = make_scene(scene);

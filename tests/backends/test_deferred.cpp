@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-class Deferred : public BackendTest {};
+class Deferred : public KernelTest {};
 
 constexpr float touching = 1, overlapping = 1 - 0x1p-24f;  // of spheres of radius 1/2: the filter decides neither
 

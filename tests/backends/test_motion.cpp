@@ -105,7 +105,7 @@ TEST(Motion, SinksThroughThePlane) {
   EXPECT_NEAR(depth, sunk_after_1000_s, 0.01 * sunk_after_1000_s);
 }
 
-class MotionOf : public BackendTest {};
+class MotionOf : public KernelTest {};
 
 TEST_P(MotionOf, Row24_ThePapersMethodSinks) {
   Scene scene = scene_of({{0, 0, 0, 0.5f}, {3, -4.5f, 0, 0.5f}, {6, 5, 1, 0.25f}});

@@ -14,10 +14,11 @@ class MotionMethods : public KernelTest {};
 // Powers of two and not, so that a backend that fuses products shows it; long steps hold many bounces each, and every
 // bounce divides and takes a root.
 TEST_P(MotionMethods, SameBitsAsOnTheCpu) {
+  if (backend().info().on_host) GTEST_SKIP() << "it would be compared with itself";
   for (const MotionOptions& motion : all_motions())
     for (auto [dt, restitution, steps] : {std::tuple(0x1p-6f, 1.0f, 400), std::tuple(0.01f, 0.9f, 400),
                                           std::tuple(0.7f, 0.96f, 60), std::tuple(10.0f, 0.5f, 12)}) {
-      const uint64_t n = by_form(backend(), 2000u, 500u);
+      const uint64_t n = by_form(backend(), 2000u, 300u);
       const Scene scene = awkward_scene({.motion = motion, .dt = dt, .restitution = restitution, .n = n});
       expect_equal_states(run_steps(backend(), scene, steps), run_steps(cpu_backend(), scene, steps),
                           fmt::format("{}, dt {}, restitution {}", motion_label(motion), dt, restitution));
