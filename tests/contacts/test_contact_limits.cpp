@@ -11,7 +11,7 @@
 namespace spherepair {
 namespace {
 
-class ContactLimits : public BackendTest {
+class ContactLimits : public KernelTest {
  protected:
   void SetUp() override {
     BackendTest::SetUp();

@@ -9,7 +9,7 @@
 namespace spherepair {
 namespace {
 
-class ContactFaults : public BackendTest {
+class ContactFaults : public KernelTest {
  protected:
   std::string text_after(Backend& on, const Scene& scene, int steps) {
     on.upload(scene);

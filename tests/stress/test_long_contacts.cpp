@@ -14,7 +14,7 @@
 namespace spherepair {
 namespace {
 
-class LongContacts : public BackendTest {
+class LongContacts : public KernelTest {
  protected:
   bool full() { return full_stress(); }
   uint64_t steps() { return full() ? 100'000 : 300; }

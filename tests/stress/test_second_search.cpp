@@ -8,7 +8,7 @@
 namespace spherepair {
 namespace {
 
-class SecondSearch : public BackendTest {};
+class SecondSearch : public KernelTest {};
 
 TEST_P(SecondSearch, StandsBesideTheFirst) {
   if (GetParam() == "cpu") GTEST_SKIP() << "the CPU's searches are functions of the spheres that they are handed";

@@ -13,7 +13,7 @@
 namespace spherepair {
 namespace {
 
-class ContactDrag : public BackendTest {};
+class ContactDrag : public KernelTest {};
 
 struct Flight {
   double speed = 1, drag = 1, dt = 1e-4, radius = 0.5, gravity = 0, stiffness = 1e7;

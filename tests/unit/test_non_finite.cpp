@@ -65,7 +65,7 @@ TEST(NonFinitePlans, AreMadeAnewForSpheresThatLeftFloat32) {
   }
 }
 
-class NonFiniteOf : public BackendTest {
+class NonFiniteOf : public KernelTest {
  protected:
   // As a run goes on from there: the numbers of a start are bounded, those that a motion has led to only finite.
   void resume(const Scene& scene) {
