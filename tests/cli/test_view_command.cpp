@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <png.h>
+#include <signal.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -29,17 +31,38 @@ Ended run(const std::string& words, const ScratchFolder& folder) {
 
 bool finds(const char* program) { return std::system(fmt::format("command -v {} >/dev/null", program).c_str()) == 0; }
 
+// One X server for all tests of the suite.
 class ViewCommand : public testing::Test {
  protected:
+  static void SetUpTestSuite() {
+    if (!finds("Xvfb") || !std::filesystem::exists(SPHEREPAIR_PROGRAM)) return;
+    server_ = popen("echo $$; exec Xvfb -displayfd 1 -screen 0 800x600x24 -nolisten tcp -ac 2>/dev/null", "r");
+    if (server_ && std::fscanf(server_, "%d %d", &process_, &display_) != 2) display_ = -1;
+  }
+  static void TearDownTestSuite() {
+    if (!server_) return;
+    if (process_ > 0) kill(process_, SIGTERM);
+    pclose(server_);
+  }
   void SetUp() override {
     if (!std::filesystem::exists(SPHEREPAIR_PROGRAM)) GTEST_SKIP() << "no " << SPHEREPAIR_PROGRAM << " here";
   }
-  Ended view(const std::string& more) {
-    return run(fmt::format("xvfb-run -a -s '-screen 0 800x600x24' {} view --scene random --n 300 --size 640x480 {}",
-                           SPHEREPAIR_PROGRAM, more),
+  Ended view(const std::string& more, const char* size = "640x480") {
+    return run(fmt::format("DISPLAY=:{} {} view --scene random --n 300 --size {} {}", display_, SPHEREPAIR_PROGRAM,
+                           size, more),
                folder_);
   }
+  // Why nothing can be shown; empty where a window can open.
+  std::string why_no_windows() {
+    if (display_ < 0) return "Xvfb is not installed, or does not start (Debian: xvfb)";
+    static const std::string said = view("--backend cpu --frames 1").said;
+    return said.find("built without windows") != std::string::npos ? said : "";
+  }
   const ScratchFolder folder_;
+
+ private:
+  static inline FILE* server_ = nullptr;
+  static inline int process_ = 0, display_ = -1;
 };
 
 // EGL opens windows only where a driver of its own reaches the display.
@@ -70,10 +93,9 @@ uint64_t hash_of(const Shot& shot) {
 }
 
 TEST_F(ViewCommand, ShowsSpheresAndThePanel) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   const std::string file = folder_.path("shot.png");
   const Ended ended = view("--backend cpu --frames 4 --screenshot " + file);
-  if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
   ASSERT_EQ(ended.code, kOk) << ended.said;
   EXPECT_NE(ended.said.find("plane at y = -5\n"), std::string::npos) << ended.said;
   const Shot shot = shot_in(file);
@@ -91,13 +113,12 @@ TEST_F(ViewCommand, ShowsSpheresAndThePanel) {
 
 // Also where they never leave OpenGL or CUDA: the pixels of the window itself, without its panel.
 TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
-  const Ended first = view("--backend cpu --frames 1");
-  if (first.said.find("built without windows") != std::string::npos) GTEST_SKIP() << first.said;
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   for (const std::string draw : {"", "d", "dddd", "ddddd"}) {
     const auto pixels_of = [&](const std::string& backend) {
       const std::string file = folder_.path(backend + ".png");
-      const Ended ended = view(fmt::format("--backend {} --frames 8 --keys h{} --screenshot {}", backend, draw, file));
+      const Ended ended =
+          view(fmt::format("--backend {} --frames 8 --keys h{} --screenshot {}", backend, draw, file), "240x180");
       EXPECT_EQ(ended.code, kOk) << ended.said;
       EXPECT_NE(ended.said.find("images stay in the window's OpenGL context"), std::string::npos) << ended.said;
       return read_bytes(file);
@@ -106,12 +127,13 @@ TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
     for (Backend* backend : open_backends()) {
       const std::string name = backend->info().name;
       if (backend->info().on_host || draw.size() >= drawing_of(*backend).draw_methods().size()) continue;
+      if (name == "vulkan" && !draw.empty() && !is_gpu(*backend)) continue;  // of the same OpenGL
       EXPECT_TRUE(pixels_of(name) == cpu) << name << ", drawing method " << draw.size();
     }
-    EXPECT_GT(cpu.size(), 20000u) << "a blank window";
+    EXPECT_GT(cpu.size(), 5000u) << "a blank window";
     if (!draw.empty()) continue;
     const std::string own = folder_.path("own.png");
-    const Ended ended = view("--backend opengl --gl-device 0 --frames 8 --keys h --screenshot " + own);
+    const Ended ended = view("--backend opengl --gl-device 0 --frames 8 --keys h --screenshot " + own, "240x180");
     if (lacks_egl_windows(ended)) continue;
     EXPECT_NE(ended.said.find("images are uploaded to the window"), std::string::npos) << ended.said;
     EXPECT_EQ(read_bytes(own), cpu) << "in a context of its own";
@@ -120,22 +142,19 @@ TEST_F(ViewCommand, ShowsTheSamePixelsOnEveryBackend) {
 
 // The rasteriser's bits reach the window of any driver; the edges of the box, which OpenGL draws, are left out.
 TEST_F(ViewCommand, ShowsTheRecordedPixels) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   for (const Backend* backend : open_backends()) {
     const std::string file = folder_.path("shot.png"), name = backend->info().name;
     const Ended ended = view(fmt::format("--backend {} --speed max --frames 8 --keys he --screenshot {}", name, file));
-    if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
     EXPECT_EQ(hash_of(shot_in(file)), 0x708fdaff5622542bu) << name << ": " << ended.said;
   }
 }
 
 TEST_F(ViewCommand, WhatStandsStillIsAntialiasedTheSameOnEveryBackend) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
-  const Ended first = view("--backend cpu --frames 1");
-  if (first.said.find("built without windows") != std::string::npos) GTEST_SKIP() << first.said;
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   const std::string file = folder_.path("still.png");
   const auto shown = [&](const std::string& options) {
-    return view(fmt::format("{} --keys 'h ' --screenshot {}", options, file));
+    return view(fmt::format("{} --keys 'h ' --screenshot {}", options, file), "240x180");
   };
   const auto pixels_of = [&](const std::string& options) {
     const Ended ended = shown(options);
@@ -151,10 +170,9 @@ TEST_F(ViewCommand, WhatStandsStillIsAntialiasedTheSameOnEveryBackend) {
 }
 
 TEST_F(ViewCommand, SavesImagesAndCloses) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   const std::string shot = folder_.path("shot.png");
   const Ended ended = view("--backend cpu --speed max --keys ...s..sq --screenshot " + shot);
-  if (ended.said.find("built without windows") != std::string::npos) GTEST_SKIP() << ended.said;
   EXPECT_EQ(ended.code, kOk) << ended.said;
   EXPECT_NE(ended.said.find("step 7"), std::string::npos) << ended.said;
   const std::vector<std::string> names = folder_.names();
@@ -178,9 +196,8 @@ TEST_F(ViewCommand, RefusesASpeedThatIsNone) {
 }
 
 TEST_F(ViewCommand, GoesOnWithTheSameBits) {
-  if (!finds("xvfb-run")) GTEST_SKIP() << "xvfb-run is not installed (Debian: xvfb, xauth)";
+  if (const std::string why = why_no_windows(); !why.empty()) GTEST_SKIP() << why;
   const Ended plain = view("--backend cpu --frames 9");
-  if (plain.said.find("built without windows") != std::string::npos) GTEST_SKIP() << plain.said;
   ASSERT_EQ(plain.code, kOk) << plain.said;
   EXPECT_NE(plain.said.find("step 9"), std::string::npos) << plain.said;
   const Ended switched = view("--backend cpu --frames 9 --keys bmmdlbd");

@@ -194,7 +194,7 @@ TEST_P(StressCatalogue, Row18_ShuffledInput) {
 }
 
 TEST_P(StressCatalogue, Row19_GroupSizesAndThreadCounts) {
-  const Scene scene = make_scene({.name = "random", .n = 1500, .radius_ratio = 3});
+  const Scene scene = make_scene({.name = "random", .n = 700, .radius_ratio = 3});
   const std::vector<Pair> expected = brute_force_pairs(scene.positions);
   expect_pairs(backend(), scene, expected, all_methods(backend()));
   if (!backend().info().on_host) return;
