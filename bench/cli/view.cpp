@@ -97,7 +97,7 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
       ->add_option("--speed", options->speed,
                    "Seconds of the scene in a second (default 1); 0 or max: one step a frame, as fast as it goes")
       ->transform(CLI::Transformer(std::map<std::string, std::string>{{"max", "0"}}, CLI::ignore_case).description(""))
-      ->check(real_number(0, Pace::fastest));
+      ->check(real_number(0, Viewer::fastest));
   command->add_option("--frames", options->frames, "Close after so many frames")->group("");
   command->add_option("--screenshot", options->screenshot_file, "PNG of the last frame")->group("");
   command->add_option("--keys", options->keys, "Key presses, one per frame")->group("");
@@ -106,16 +106,13 @@ void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
       "Keys:\n"
       "  space  pause, or go on             b  next backend\n"
       "  n      one step                    m  next collision method\n"
-      "  z      one step back               d  next drawing method\n"
-      "  r      restart                     c  next colours: contacts, speed, radius\n"
-      "  + -    double or halve the speed   l  light and shadows\n"
-      "  f      one step a frame            e  edges of the box\n"
-      "  a      all spheres in view         p  fold the panel\n"
+      "  r      restart                     d  next drawing method\n"
+      "  + -    double or halve the speed   c  next colours: contacts, speed, radius\n"
+      "  a      all spheres in view         l  light and shadows\n"
       "  s      save spherepair-STEP.png    h  hide the panel\n"
       "  q Esc  close\n"
-      "Mouse: drag to rotate; with shift, or by the right or middle button, to pan; scroll to zoom; click a\n"
-      "sphere for its index and contacts. The panel's slider goes to any step. An image that stands still\n"
-      "is antialiased. Without a display, use render.\n"
+      "Mouse: drag to rotate; with shift, or by the right or middle button, to pan; scroll to zoom.\n"
+      "An image that stands still is antialiased. Without a display, use render.\n"
       "Example:\n  spherepair view --scene random --n 16384");
   command->callback([=, &line, &action] { action = [=, &line] { return view_command(line, *options); }; });
 }

@@ -13,7 +13,7 @@ struct ViewOptions {
   std::string backend, method;  // at the start
   StartOptions start;
   uint width = 1280, height = 720;  // of the window, pixels
-  std::optional<double> speed;      // see Pace; none: 1, or 0 with `frames`
+  std::optional<double> speed;      // see Viewer::Options; none: 1, or 0 with `frames`
   uint64_t frames = 0;              // the window closes after them; 0: never
   std::string screenshot_file;      // of the last frame
   std::string keys;                 // one key press per frame, as if by the user

@@ -12,7 +12,6 @@
 
 #include "bench/check/finite_state.h"
 #include "bench/measure/choice.h"
-#include "common/image/box_edges.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -40,23 +39,41 @@ Viewer::Viewer(const Session& session, const Start& start, const Options& option
       options_(options),
       bounds_(bounds_of(start.scene.positions)),
       orbit_(bounds_),
-      pace_(start.scene.dt, options.speed),
-      history_(start) {
+      speed_(options.speed) {
   bounds_.low[1] = std::min(bounds_.low[1], double(start.scene.plane));
   orbit_ = Orbit(bounds_);
   for (const auto& each : session.backends()) backends_.names.push_back(each->info().name);
   backends_.pick(options.backend);
   running_ = backends_.chosen;
-  go_to(start.step);
+  restart();
   list_choices();
   methods_.pick(options.method);
 }
 
-void Viewer::go_to(uint64_t step) {
-  history_.go_to(backend(), step);
-  step_ = step;
+void Viewer::restart() {
+  upload_start(start_, backend());
+  step_ = start_.step;
   search_.reset();
-  pace_.hold();
+  hold();
+}
+
+void Viewer::hold() {
+  last_.reset();
+  owed_ = 0;
+}
+
+void Viewer::scale_speed(double factor) {
+  if (speed_ > 0) speed_ = std::clamp(speed_ * factor, slowest, fastest);
+  hold();
+}
+
+// The steps of a frame that begins at `now`, seconds. Steps that the frame has no time for are dropped: a run that
+// cannot keep up falls behind the clock.
+uint64_t Viewer::due(double now) {
+  if (speed_ == 0) return 1;
+  if (last_) owed_ = owed_ - std::floor(owed_) + (now - *last_) * speed_ / double(start_.scene.dt);
+  last_ = now;
+  return uint64_t(std::min(owed_, 0x1p53));
 }
 
 void Viewer::list_choices() {
@@ -89,7 +106,7 @@ void Viewer::change_backend(size_t next) {
   }
   seconds_ = {};
   search_.reset();
-  pace_.hold();
+  hold();
   list_choices();
 }
 
@@ -111,7 +128,7 @@ void Viewer::choose_colours() {
 }
 
 // Takes the frame's steps, but stops after their share of a frame. To measure it, waits for the device.
-void Viewer::move_steps(const Window& window, uint64_t due) {
+void Viewer::move_steps(const Window& window, uint64_t steps) {
   constexpr double share = 1.0 / 30;  // seconds
   const double begin = window.seconds();
   const auto late = [&](uint64_t done) {
@@ -122,19 +139,18 @@ void Viewer::move_steps(const Window& window, uint64_t due) {
   do {
     timed(seconds_.move, [&] {
       backend().move();
-      if (done + 1 == due) backend().evaluate_positions();
+      if (done + 1 == steps) backend().evaluate_positions();
     });
-    history_.record(backend(), ++step_);
-  } while (++done < due && !late(done));
-  pace_.took(done);
+    ++step_;
+  } while (++done < steps && !late(done));
 }
 
 void Viewer::advance(const Window& window) {
-  if (paused_) pace_.hold();
-  const uint64_t due = std::exchange(single_step_, false) ? 1 : paused_ ? 0 : pace_.due(window.seconds());
-  if (due == 0) return;
+  if (paused_) hold();
+  const uint64_t steps = std::exchange(single_step_, false) ? 1 : paused_ ? 0 : due(window.seconds());
+  if (steps == 0) return;
   search_.reset();
-  move_steps(window, due);
+  move_steps(window, steps);
 }
 
 void Viewer::collide() {
@@ -162,10 +178,10 @@ bool Viewer::shown_without_host(uint texture) {
 
 bool Viewer::Shown::operator==(const Shown& other) const {
   return std::memcmp(&view, &other.view, sizeof view) == 0 && step == other.step && backend == other.backend &&
-         draw == other.draw && box == other.box;
+         draw == other.draw;
 }
 
-// The image as `render` draws it.
+// The image as `render --no-box` draws it.
 ImageOptions Viewer::still_image(const Window& window) const {
   const auto [width, height] = window.size();
   ImageOptions image{orbit_.camera(double(width) / height), palette_, width, height, still_samples,
@@ -173,7 +189,6 @@ ImageOptions Viewer::still_image(const Window& window) const {
   image.look.light = {-0.3, 0.9, -0.3};  // from above even if the camera looks down
   image.look.ground = double(start_.scene.plane);
   if (search_->lit) image.look.lighting = LIGHT_OCCLUSION | LIGHT_SHADOW | LIGHT_GROUND;
-  if (box_) image.box = bounds_;
   return image;
 }
 
@@ -188,7 +203,7 @@ void Viewer::refine(Window& window, const ImageOptions& image) {
 
 void Viewer::draw(Window& window) {
   const ImageOptions image = still_image(window);
-  const Shown now{make_view(image.camera, image.look, image.width, image.height), step_, running_, draws_.chosen, box_};
+  const Shown now{make_view(image.camera, image.look, image.width, image.height), step_, running_, draws_.chosen};
   if (shown_ == now) {
     if (paused_) refine(window, image);
     return;
@@ -202,14 +217,6 @@ void Viewer::draw(Window& window) {
   });
 }
 
-// Draws the box over an image without it. Edges that spheres may hide are paler, since depths are not read back.
-void Viewer::draw_box(Window& window) const {
-  if (!box_ || samples_.count() == still_samples) return;
-  for (const EdgeLine& edge : edge_lines(shown_->view, bounds_))
-    window.line(edge.a, edge.b, edge_thickness(shown_->view.height), edge_colour, edge.behind ? 0.25 : 1);
-}
-
-// Choices in the panel take effect in the next frame.
 bool Viewer::frame(Window& window, char key) {
   if (!take_keys(window, key)) return false;
   if (backends_.chosen != running_) change_backend(backends_.chosen);
@@ -217,8 +224,6 @@ bool Viewer::frame(Window& window, char key) {
   collide();
   if (colours_.chosen != coloured_by_) choose_colours();
   draw(window);
-  draw_box(window);
-  if (const auto pixel = window.clicked()) pick(*pixel);
   if (std::exchange(saving_, false)) save_image(window);
   if (panel_) show_panel(window);
   window.show();
@@ -231,9 +236,8 @@ std::string Viewer::summary() const {
   const std::string rate =
       frames_ < 2 ? "" : fmt::format("{} frames a second; ", format_number(double(frames_ - 1) / taken.count()));
   const std::string times =
-      fmt::format("{}{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate,
-                  pace_.by_clock() ? pace_.text() + "; " : "", format_ms(seconds_.move), format_ms(seconds_.collide),
-                  format_ms(seconds_.draw), format_ms(seconds_.show));
+      fmt::format("{}move {} ms, collide {} ms, draw {} ms, to the window {} ms\n", rate, format_ms(seconds_.move),
+                  format_ms(seconds_.collide), format_ms(seconds_.draw), format_ms(seconds_.show));
   return times + fmt::format("{} {}, drawn by {}: step {}, {}, fingerprint {}", backends_.name(), methods_.name(),
                              draws_.name(), step_, counted(totals_.pairs, "pair"),
                              hex64(totals_.fingerprint.a) + hex64(totals_.fingerprint.b));

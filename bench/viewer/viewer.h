@@ -4,12 +4,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "bench/formats/start.h"
 #include "bench/measure/session.h"
-#include "bench/viewer/history.h"
 #include "bench/viewer/orbit.h"
-#include "bench/viewer/pace.h"
 #include "bench/viewer/window.h"
 #include "common/image/antialiased_image.h"
 #include "common/image/image_samples.h"
@@ -21,10 +20,12 @@ constexpr uint still_samples = 16;  // samples of an image that stands still
 
 class Viewer {
  public:
+  static constexpr double slowest = 0x1p-20, fastest = 0x1p20;  // speeds by the clock
+
   struct Options {
     std::string backend, method;        // at the start; the session's backends can be chosen
     bool shared;                        // the backends draw in the window's context
-    double speed = 0;                   // see Pace
+    double speed = 0;                   // seconds of the scene in a second of the clock; 0: one step a frame
     std::filesystem::path folder = {};  // of saved images; none: the current one
   };
   Viewer(const Session& session, const Start& start, const Options& options);
@@ -32,7 +33,7 @@ class Viewer {
   // One frame: user input, steps unless paused, and the image; false if the user closes the window. key: an additional
   // key press; 0: none.
   bool frame(Window& window, char key);
-  bool hurries() const { return !paused_ && !pace_.by_clock(); }  // wants frames faster than the display shows them
+  bool hurries() const { return !paused_ && speed_ == 0; }  // wants frames faster than the display shows them
   std::string summary() const;
 
  private:
@@ -53,7 +54,6 @@ class Viewer {
     View view;
     uint64_t step;
     size_t backend, draw;
-    bool box;
     bool operator==(const Shown& other) const;
   };
   struct Seconds {  // seconds of the timed frames
@@ -63,13 +63,13 @@ class Viewer {
   Backend& backend() const { return *session_.backends()[running_]; }
   Drawing& drawing() const { return drawing_of(backend()); }
   void change_backend(size_t next);
-  void go_to(uint64_t step);
-  void pick(std::array<uint, 2> pixel);
+  void restart();
+  void hold();  // no time passes until the next frame
+  uint64_t due(double now);
+  void scale_speed(double factor);
   void list_choices();
   bool take_keys(Window& window, char key);
   void show_panel(Window& window);
-  void fill_panel(Window& window);
-  void tell_times(Window& window);
   void choose_colours();
   void advance(const Window& window);
   void move_steps(const Window& window, uint64_t due);
@@ -77,7 +77,6 @@ class Viewer {
   ImageOptions still_image(const Window& window) const;
   void draw(Window& window);
   void refine(Window& window, const ImageOptions& image);
-  void draw_box(Window& window) const;
   void save_image(const Window& window);
   bool shown_without_host(uint texture);
   template <typename Work>
@@ -91,10 +90,11 @@ class Viewer {
   Look palette_ = contact_look();  // the chosen colours
   size_t coloured_by_ = 0;
   size_t running_ = 0;  // the backend that holds the spheres
-  bool paused_ = false, single_step_ = false, saving_ = false, light_ = true, box_ = true, panel_ = true,
-       folded_ = false;
+  bool paused_ = false, single_step_ = false, saving_ = false, light_ = true, panel_ = true;
   Orbit orbit_;
-  Pace pace_;
+  double speed_;                // see Options
+  std::optional<double> last_;  // the clock at the last frame, seconds
+  double owed_ = 0;             // steps that the clock is ahead
   uint64_t step_ = 0;
   std::optional<Search> search_;  // the search of the current spheres
   Collisions totals_;             // of the last search
@@ -102,8 +102,6 @@ class Viewer {
   std::string saved_;             // the name of the last saved image, or the reason why saving failed
   std::optional<Shown> shown_;    // the last image
   ImageSamples samples_;          // samples of the last image, while it stands still
-  std::string picked_;            // the sphere that was clicked
-  History history_;
   Seconds seconds_;
   uint64_t frames_ = 0;
   std::chrono::steady_clock::time_point first_frame_;  // its end

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A window that shows images and a panel of texts and choices. The panel is rebuilt in every frame.
+// A window that shows images and a panel of texts. The panel is rebuilt in every frame.
 #pragma once
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/backend/window_context.h"
-#include "common/image/canvas.h"
 #include "common/shared/layout.h"
 
 namespace spherepair {
@@ -29,33 +27,24 @@ class Window {
 
   // Presents the image of show() and processes new input; false if the user has closed the window.
   virtual bool next(Present present) = 0;
-  virtual double seconds() const = 0;                              // on a clock that never goes back
-  virtual std::array<uint, 2> size() const = 0;                    // pixels
-  virtual std::array<double, 2> dragged() const = 0;               // by the left button since the last frame, pixels
-  virtual std::array<double, 2> panned() const = 0;                // by another one, or with shift
-  virtual double scrolled() const = 0;                             // notches, away from the user
-  virtual std::optional<std::array<uint, 2>> clicked() const = 0;  // pixel, from the upper left; not the end of a drag
-  virtual bool pressed(char key) const = 0;  // a lower-case letter, a space, + (also =), - or escape_key
+  virtual double seconds() const = 0;                 // on a clock that never goes back
+  virtual std::array<uint, 2> size() const = 0;       // pixels
+  virtual std::array<double, 2> dragged() const = 0;  // by the left button since the last frame, pixels
+  virtual std::array<double, 2> panned() const = 0;   // by another one, or with shift
+  virtual double scrolled() const = 0;                // notches, away from the user
+  virtual bool pressed(char key) const = 0;           // a lower-case letter, a space, + (also =), - or escape_key
 
-  // The panel: call these between next() and show(). folded: the panel is folded to its title bar, maybe by the user,
-  // and has no other contents.
-  virtual void begin_panel(const std::string& title, bool& folded) = 0;
+  // The panel: call these between next() and show().
+  virtual void begin_panel(const std::string& title) = 0;
   virtual void end_panel() = 0;
   virtual void text(const std::string& line) = 0;  // wrapped
-  virtual void same_row() = 0;                     // the next item follows the last
-  virtual bool button(const char* label) = 0;
-  virtual void check(const char* label, bool& value) = 0;
-  virtual void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) = 0;
   // Squares of these colours, 0xRRGGBB, each with its label.
   virtual void legend(std::span<const uint> colours, const std::vector<std::string>& labels) = 0;
-  virtual void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) = 0;
 
   // The image for the next show(): a texture of this size for Drawing::show(), or an uploaded image in the format of
   // Drawing::image().
   virtual uint texture(uint width, uint height) = 0;
   virtual void upload(std::span<const uint> image) = 0;  // of the last texture()'s size
-  // Draws a line over the image of the next show() and under the panel. Points are as in Point.
-  virtual void line(Point a, Point b, double thickness, uint colour, double opacity) = 0;
   virtual void show() = 0;
   virtual std::vector<uint> screenshot() = 0;  // the last shown frame, same format
 

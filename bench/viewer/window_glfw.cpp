@@ -96,23 +96,13 @@ class GlfwWindow final : public Window, private WindowContext {
     return {io.MouseDelta.x * io.DisplayFramebufferScale.x, io.MouseDelta.y * io.DisplayFramebufferScale.y};
   }
   double scrolled() const override { return ImGui::GetIO().WantCaptureMouse ? 0 : ImGui::GetIO().MouseWheel; }
-  std::optional<std::array<uint, 2>> clicked() const override {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureMouse || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return {};
-    const ImVec2 at = io.MousePos, from = io.MouseClickedPos[ImGuiMouseButton_Left];
-    const bool dragged = std::abs(at.x - from.x) + std::abs(at.y - from.y) > 3;
-    if (dragged || at.x < 0 || at.y < 0 || at.x >= io.DisplaySize.x || at.y >= io.DisplaySize.y) return {};
-    return std::array{uint(at.x * io.DisplayFramebufferScale.x), uint(at.y * io.DisplayFramebufferScale.y)};
-  }
   bool pressed(char key) const override { return keys_.find(key) != std::string::npos; }
 
-  void begin_panel(const std::string& title, bool& folded) override {
+  void begin_panel(const std::string& title) override {
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x - 16, whole.y - 16});
-    ImGui::SetNextWindowCollapsed(folded);
     ImGui::Begin((title + "###panel").c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-    folded = ImGui::IsWindowCollapsed();
     ImGui::PushTextWrapPos(345);
   }
   void end_panel() override {
@@ -120,13 +110,6 @@ class GlfwWindow final : public Window, private WindowContext {
     ImGui::End();
   }
   void text(const std::string& line) override { ImGui::TextUnformatted(line.c_str()); }
-  void same_row() override { ImGui::SameLine(); }
-  bool button(const char* label) override { return ImGui::Button(label); }
-  void check(const char* label, bool& value) override { ImGui::Checkbox(label, &value); }
-  void slide(const char* label, uint64_t& value, uint64_t low, uint64_t high) override {
-    ImGui::SetNextItemWidth(170);
-    ImGui::SliderScalar(label, ImGuiDataType_U64, &value, &low, &high);
-  }
   void legend(std::span<const uint> colours, const std::vector<std::string>& labels) override {
     for (size_t k = 0; k < labels.size(); ++k) {
       const float part = 1 / 255.0f;
@@ -136,13 +119,6 @@ class GlfwWindow final : public Window, private WindowContext {
       ImGui::SameLine();
       text(labels[k]);
     }
-  }
-  void choose(const char* label, const std::vector<std::string>& names, size_t& chosen) override {
-    ImGui::SetNextItemWidth(170);
-    if (!ImGui::BeginCombo(label, names[chosen].c_str())) return;
-    for (size_t k = 0; k < names.size(); ++k)
-      if (ImGui::Selectable(names[k].c_str(), k == chosen)) chosen = k;
-    ImGui::EndCombo();
   }
 
   uint texture(uint width, uint height) override {
@@ -165,21 +141,10 @@ class GlfwWindow final : public Window, private WindowContext {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_UNSIGNED_BYTE, image.data());
   }
 
-  void line(Point a, Point b, double thickness, uint colour, double opacity) override {
-    lines_.push_back({a, b, thickness, colour, opacity});
-  }
-
   void show() override {
     make_current();
-    const auto whole = ImGui::GetIO().DisplaySize, scale = ImGui::GetIO().DisplayFramebufferScale;
-    ImDrawList& under = *ImGui::GetBackgroundDrawList();
-    under.AddImage(reinterpret_cast<ImTextureID>(uintptr_t(texture_)), {0, 0}, whole);
-    const auto on_screen = [&](Point at) { return ImVec2(float(at.x + 0.5) / scale.x, float(at.y + 0.5) / scale.y); };
-    for (const Line& each : lines_) {
-      const ImU32 ink = IM_COL32(each.colour >> 16, each.colour >> 8 & 255, each.colour & 255, 255 * each.opacity);
-      under.AddLine(on_screen(each.a), on_screen(each.b), ink, float(each.thickness) / scale.x);
-    }
-    lines_.clear();
+    const auto image = reinterpret_cast<ImTextureID>(uintptr_t(texture_));
+    ImGui::GetBackgroundDrawList()->AddImage(image, {0, 0}, ImGui::GetIO().DisplaySize);
     ImGui::Render();
     const auto [window_width, window_height] = size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drawing through OpenGL uses another framebuffer
@@ -209,13 +174,6 @@ class GlfwWindow final : public Window, private WindowContext {
     if (!shared_ || glfwGetCurrentContext() != window_) glfwMakeContextCurrent(window_);
   }
 
-  struct Line {
-    Point a, b;
-    double thickness;
-    uint colour;
-    double opacity;
-  };
-
   // Notes the key by its printed letter, in any layout.
   static void note_key(GLFWwindow* window, int key, int scancode, int action, int) {
     if (action != GLFW_PRESS || ImGui::GetIO().WantTextInput) return;
@@ -228,7 +186,6 @@ class GlfwWindow final : public Window, private WindowContext {
 
   GLFWwindow* window_ = nullptr;
   std::string keys_;  // pressed since the last frame
-  std::vector<Line> lines_;
   bool shared_;
   GLuint texture_ = 0;
   uint width_ = 0, height_ = 0;  // of the texture

@@ -7,6 +7,7 @@ namespace spherepair {
 namespace {
 
 constexpr double in_front = 1 - 1e-3;  // spheres that touch an edge do not hide it
+constexpr uint edge_colour = 0x707070;
 
 // Camera coordinates: right, up and forward, metres.
 Vector in_axes(const Vector& at, const View& v) {
@@ -27,18 +28,13 @@ Vector between(const Vector& a, const Vector& b, double share) {
 
 struct Edge {
   Vector a, b;  // in camera coordinates, not nearer than the near plane
-  bool behind;
 };
 
-// An edge is behind the box if neither of its two sides faces the camera.
 std::vector<Edge> edges_in_front(const View& v, const Bounds& box) {
-  const double near = v.eye.w, eye[] = {v.eye.x, v.eye.y, v.eye.z};
+  const double near = v.eye.w;
   const auto corner = [&](int k) {
     return in_axes(
         {k & 1 ? box.high[0] : box.low[0], k & 2 ? box.high[1] : box.low[1], k & 4 ? box.high[2] : box.low[2]}, v);
-  };
-  const auto faces_camera = [&](int k, int axis) {
-    return k >> axis & 1 ? eye[axis] > box.high[axis] : eye[axis] < box.low[axis];
   };
   std::vector<Edge> edges;
   for (int from = 0; from < 8; ++from)
@@ -47,31 +43,22 @@ std::vector<Edge> edges_in_front(const View& v, const Bounds& box) {
       if (from >> axis & 1 || (a[2] < near && b[2] < near)) continue;
       if (a[2] < near) a = between(a, b, (near - a[2]) / (b[2] - a[2]));
       if (b[2] < near) b = between(b, a, (near - b[2]) / (a[2] - b[2]));
-      edges.push_back({a, b, !faces_camera(from, (axis + 1) % 3) && !faces_camera(from, (axis + 2) % 3)});
+      edges.push_back({a, b});
     }
   return edges;
 }
 
 }  // namespace
 
-double edge_thickness(uint height) { return std::max(1.0, height / 540.0); }
-
-std::vector<EdgeLine> edge_lines(const View& view, const Bounds& box) {
-  std::vector<EdgeLine> lines;
-  for (const Edge& edge : edges_in_front(view, box))
-    lines.push_back({on_image(edge.a, view), on_image(edge.b, view), edge.behind});
-  return lines;
-}
-
 void draw_edges(std::vector<uint>& image, const std::vector<double>& ahead, const View& v, const Bounds& box) {
   Canvas canvas(image, v.width, v.height);
+  const double thickness = std::max(1.0, v.height / 540.0);  // pixels
   for (const Edge& edge : edges_in_front(v, box)) {
     const double a = edge.a[2], b = edge.b[2];
-    canvas.stroke(on_image(edge.a, v), on_image(edge.b, v), edge_thickness(v.height), edge_colour,
-                  [&](int x, int y, double along) {
-                    const double distance = 1 / ((1 - along) / a + along / b);
-                    return in_front * distance <= ahead[size_t(y) * v.width + size_t(x)];
-                  });
+    canvas.stroke(on_image(edge.a, v), on_image(edge.b, v), thickness, edge_colour, [&](int x, int y, double along) {
+      const double distance = 1 / ((1 - along) / a + along / b);
+      return in_front * distance <= ahead[size_t(y) * v.width + size_t(x)];
+    });
   }
 }
 

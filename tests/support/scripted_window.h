@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "bench/viewer/window.h"
 
 namespace spherepair {
@@ -19,24 +17,13 @@ class ScriptedWindow final : public Window, private WindowContext {
   std::array<double, 2> panned() const override { return pan; }
   double seconds() const override { return now += tick; }
   double scrolled() const override { return scroll; }
-  std::optional<std::array<uint, 2>> clicked() const override { return click; }
   bool pressed(char) const override { return false; }
-  void begin_panel(const std::string& title, bool& folded) override {
+  void begin_panel(const std::string& title) override {
     texts.clear();
     titles.push_back(title);
-    if (folds) folded = *std::exchange(folds, {});
-    this->folded = folded;
   }
   void end_panel() override {}
   void text(const std::string& line) override { texts += line + "\n"; }
-  void same_row() override {}
-  bool button(const char*) override { return false; }
-  void check(const char*, bool&) override {}
-  void slide(const char*, uint64_t& value, uint64_t low, uint64_t high) override {
-    range = {low, high};
-    if (slid) value = *std::exchange(slid, {});
-  }
-  void choose(const char*, const std::vector<std::string>&, size_t&) override {}
   void legend(std::span<const uint> colours, const std::vector<std::string>& labels) override {
     EXPECT_EQ(colours.size(), labels.size());
     for (const std::string& label : labels) texts += label + "\n";
@@ -46,8 +33,7 @@ class ScriptedWindow final : public Window, private WindowContext {
     shown.assign(image.begin(), image.end());
     ++uploads;
   }
-  void line(Point, Point, double, uint, double opacity) override { next_lines.push_back(opacity); }
-  void show() override { lines = std::exchange(next_lines, {}); }
+  void show() override {}
   std::vector<uint> screenshot() override { return shown; }
   WindowContext& context() override { return *this; }
   std::string renderer() const override { return "none"; }
@@ -57,14 +43,8 @@ class ScriptedWindow final : public Window, private WindowContext {
   mutable double now = 0;
   double tick = 0;  // seconds by which each reading advances the clock
   double scroll = 0;
-  std::optional<std::array<uint, 2>> click;
-  std::optional<uint64_t> slid;
-  std::array<uint64_t, 2> range{};
   std::string texts;
   std::vector<std::string> titles;  // of all panels so far
-  std::optional<bool> folds;        // set by the user
-  bool folded = false;
-  std::vector<double> lines, next_lines;  // opacities
   int uploads = 0;
   std::vector<uint> shown;
 
