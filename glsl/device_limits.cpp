@@ -71,7 +71,6 @@ DeviceLimits device_limits(const OpenOptions& options) {
   return {.largest_binding = uint64_t(binding),
           .largest_texture = std::min(texels, options.texels),
           .features = {.atomics_64 = vendor && epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
-                       .float_atomics = vendor && epoxy_has_gl_extension("GL_NV_shader_atomic_float"),
                        .subgroups = vendor && options.subgroups && has_subgroups()},
           .sparse = epoxy_has_gl_extension("GL_ARB_sparse_buffer"),
           .large_pages = vendor && options.large_pages,

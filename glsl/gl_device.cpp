@@ -85,7 +85,6 @@ GlDevice::GlDevice(const OpenOptions& options) : context_(options) {
   staging_.turn(!info_.software);
   capabilities_ = {.largest_buffer = limits_.largest_binding,
                    .atomics_64 = limits_.features.atomics_64,
-                   .float_atomics = limits_.features.float_atomics,
                    .overlaps_images = true,
                    .bounds_block = 256};  // so that all groups run at once (docs/NOTES/grid.md)
   params_.make();

@@ -15,10 +15,9 @@ namespace spherepair {
 namespace {
 
 std::string source_of(const std::string& kernel, unsigned block, const Variant& variant, Features features) {
-  return kernel_text(kernel, block, variant,
-                     {.atomics_64 = features.atomics_64 ? "GL_NV_shader_atomic_int64" : "",
-                      .float_atomics = "GL_NV_shader_atomic_float",
-                      .subgroups = features.subgroups});
+  return kernel_text(
+      kernel, block, variant,
+      {.atomics_64 = features.atomics_64 ? "GL_NV_shader_atomic_int64" : "", .subgroups = features.subgroups});
 }
 
 std::string shader_log(GLuint shader) {

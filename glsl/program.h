@@ -16,9 +16,8 @@ namespace spherepair {
 
 // Extensions that shaders use if the driver has them.
 struct Features {
-  bool atomics_64 = false;     // GL_NV_shader_atomic_int64
-  bool float_atomics = false;  // GL_NV_shader_atomic_float
-  bool subgroups = false;      // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
+  bool atomics_64 = false;  // GL_NV_shader_atomic_int64
+  bool subgroups = false;   // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
 };
 
 // An OpenGL program. For a kernel it compiles the embedded shader of that name, after definitions of the group size,

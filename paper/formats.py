@@ -53,7 +53,7 @@ def precision(root):
 
 
 def contacts(root):
-    """Of `spherepair contacts`: each run with the time of its steps and its error, and the steps by sum of impulses."""
+    """Of `spherepair contacts`: each run with the time of its steps and its error, and of earlier versions the steps by sum of impulses."""
     return [{**entry["sample"], **{name: value for name, value in entry.items() if name != "sample"},
              "table": table, "scene": {"name": "gas"}}
             for table in ("contact_runs", "contact_sums", "gas_steps") for entry in root.get(table, ())]

@@ -112,7 +112,7 @@ GPU = tuple(map(in_hardware, (
     study("ablate", 6, "opengl,cuda", "ablate --n 16384,1000000", "ablate.json", alone=True),
     study("ablate_extensions", 1, "opengl", "ablate --names large_pages,subgroups,texture_table --n 1000000,10000000 --rounds 7",
           "ablate.json", alone=True),
-    study("contacts", 4, "opengl,cuda", "contacts --measure errors,sums,rates", "contacts.json"),
+    study("contacts_errors", 3, "opengl,cuda", "contacts --measure errors,rates", "contacts.json"),
     study("contacts_steps", 3, "opengl,vulkan,cuda", "contacts --measure steps", "contacts.json"),
     study("contacts_1e8", 7, "opengl,cuda", "contacts --measure steps --n 100000000", "contacts.json", memory=40 * GIB),
     study("contacts_rest", 1, "opengl,cuda", "contacts --measure rest --rounds 6", "contacts.json"),

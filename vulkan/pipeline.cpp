@@ -13,7 +13,6 @@ namespace {
 SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, const Variant& variant,
                       const std::string& what) {
   const KernelExtensions extensions{.atomics_64 = limits.atomics_64 ? "GL_EXT_shader_atomic_int64" : "",
-                                    .float_atomics = "GL_EXT_shader_atomic_float",
                                     .subgroups = limits.subgroups};
   SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
   // Mesa's lavapipe compiles a version of a kernel for each value of a uniform that controls a branch, and frees none.

@@ -18,7 +18,7 @@
 namespace spherepair {
 namespace {
 
-constexpr const char* known_measurements[] = {"errors", "sums", "steps", "rates", "rest"};
+constexpr const char* known_measurements[] = {"errors", "steps", "rates", "rest"};
 constexpr const char* known_steps[] = {"10", "20", "40", "80", "160", "320"};
 
 RestStage stage_of(const std::string& text) {
@@ -59,14 +59,13 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
     return !options.sizes.empty() ? options.sizes : hardware ? on_gpu : std::vector{elsewhere};
   };
   plan.n = sizes({4096}, 512).front();
-  plan.cost_sizes = sizes({16384, 1'000'000, 10'000'000}, 16384);
   plan.step_sizes = sizes({1'000'000, 10'000'000}, 16384);
   plan.rest.sizes = sizes({1'000'000}, 1000);
   for (const std::string& one : options.measurements)
     require_known("measurement", one, {std::begin(known_measurements), std::end(known_measurements)});
   plan.rates.n = sizes({plan.rates.n}, 1000).front();
   const bool spring = std::ranges::count(plan.kinds, ContactLaw::spring, &ContactKind::law) > 0;
-  if (options.sizes.size() > 1 && !wanted(options, "sums") && !wanted(options, "steps") && !wanted(options, "rest"))
+  if (options.sizes.size() > 1 && !wanted(options, "steps") && !wanted(options, "rest"))
     throw std::invalid_argument("--n takes one number for errors and rates: omit the others");
   if (wanted(options, "rates") && spring && plan.rates.n < 125)
     throw std::invalid_argument("rates need a gas of at least 125 spheres: give more as --n, or omit rates");
@@ -84,7 +83,6 @@ ContactPlan make_contact_plan(const ContactsOptions& options, bool hardware) {
 
 struct MeasuredContacts {
   std::vector<ContactRun> runs;
-  std::vector<SumsCost> costs;
   std::vector<GasSteps> steps;
   std::vector<ContactRate> rates;
   std::vector<SettledBed> beds;
@@ -93,9 +91,8 @@ struct MeasuredContacts {
 };
 
 std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured, size_t width) {
-  std::string text = runs_text(plan, measured.runs, width) + costs_text(measured.costs, width) +
-                     steps_text(measured.steps, width) + rates_text(plan, measured.rates, width) +
-                     beds_text(plan.rest, measured.beds, width);
+  std::string text = runs_text(plan, measured.runs, width) + steps_text(measured.steps, width) +
+                     rates_text(plan, measured.rates, width) + beds_text(plan.rest, measured.beds, width);
   if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text(width);
   for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ", width) + "\n";
   return text;
@@ -111,7 +108,6 @@ json start_record(const CommandLine& line, const Session& session, const Contact
             {"packing_fraction", plan.packing_fraction},
             {"collisions", plan.collisions},
             {"converged_steps_a_contact", plan.converged},
-            {"cost_steps", plan.cost_steps},
             {"steps_averaged", plan.steps_averaged},
             {"rates", to_json(plan.rates)},
             {"rest", to_json(plan.rest)}}},
@@ -122,7 +118,6 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
             const Session& session, const StudyLoad& load) {
   record["warnings"] = load.warnings(session);
   record["contact_runs"] = list_of(measured.runs);
-  record["contact_sums"] = list_of(measured.costs);
   record["gas_steps"] = list_of(measured.steps);
   record["contact_rates"] = list_of(measured.rates);
   record["beds"] = list_of(measured.beds);
@@ -131,7 +126,7 @@ void report(const std::filesystem::path& folder, json record, const ContactPlan&
   record["clocks"].push_back(query_clocks());
   const auto page = [&](size_t width) { return tables_of(plan, measured, width) + load.text(session); };
   json timed = json::object();
-  for (const char* part : {"contact_runs", "contact_sums", "gas_steps", "beds"}) timed[part] = record[part];
+  for (const char* part : {"contact_runs", "gas_steps", "beds"}) timed[part] = record[part];
   report_page(folder, "contacts", page, timed);
   write_file(folder / "contacts.json", json_text(record));
 }
@@ -152,15 +147,13 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   Progress progress;
   MeasuredContacts measured;
   if (wanted(options, "errors")) {
-    measured.runs = measure_contact_errors(session, plan, measured.left_out, progress);
+    measured.runs = measure_contact_errors(session, plan, progress);
     time_contact_runs(session, plan, measured.runs, progress);
   }
-  if (wanted(options, "sums")) measured.costs = measure_sums(session, plan, measured.left_out, progress);
   if (wanted(options, "steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
   if (wanted(options, "rates")) measured.rates = measure_rates(session, plan, progress);
   if (wanted(options, "rest")) measured.beds = measure_rest(session, plan, measured.left_out, progress);
-  measured.targets = sums_targets(session, measured.costs);
-  std::ranges::copy(steps_targets(session, measured.steps), std::back_inserter(measured.targets));
+  measured.targets = steps_targets(session, measured.steps);
   std::ranges::copy(rest_targets(session, measured.beds), std::back_inserter(measured.targets));
   progress.clear();
   report(folder, record, plan, measured, session, load);
@@ -173,15 +166,15 @@ std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {
   auto options = std::make_shared<ContactsOptions>();
   add_backends_option(command, options->backends);
   add_list(command, "--measure", options->measurements,
-           "Only these: errors (of runs), sums (their cost), steps (whole ones of a gas), rates (its pressure and "
-           "cooling), rest (of a bed)");
+           "Only these: errors (of runs), steps (whole ones of a gas), rates (its pressure and cooling), rest (of a "
+           "bed)");
   add_list(command, "--laws", options->laws, "Only these laws: spring, hertz, quartic");
   add_list(command, "--steps", options->steps,
            "Only these time steps, by the steps that a contact lasts: 10, 20, 40, 80, 160, 320");
   add_list(
       command, "--n", options->sizes,
-      "Numbers of spheres; errors and rates take the first, beds whole layers (default on a GPU: errors 4096, sums "
-      "16384,1000000,10000000, steps 1000000,10000000, rates 16384, rest 1000000)")
+      "Numbers of spheres; errors and rates take the first, beds whole layers (default on a GPU: errors 4096, steps "
+      "1000000,10000000, rates 16384, rest 1000000)")
       ->transform(positive_range);
   command
       .add_option("--averaged", options->averaged,

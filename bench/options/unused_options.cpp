@@ -117,9 +117,8 @@ void refuse_of_study(const Given& given) {
     given.refuse(std::ranges::count(draws, limit.substr(0, limit.find(':'))) == 0, {"--most"},
                  fmt::format("on {}, which is not among --draws: omit it", limit));
   const std::pair<const char*, std::set<std::string>> uses[] = {
-      {"--laws", {"errors", "rates"}}, {"--steps", {"errors", "rates"}},
-      {"--averaged", {"steps"}},       {"--rest-layers", {"rest"}},
-      {"--drag-steps", {"rest"}},      {"--rounds", {"errors", "sums", "steps", "rest"}}};
+      {"--laws", {"errors", "rates"}}, {"--steps", {"errors", "rates"}}, {"--averaged", {"steps"}},
+      {"--rest-layers", {"rest"}},     {"--drag-steps", {"rest"}},       {"--rounds", {"errors", "steps", "rest"}}};
   const Words measured = given.list("--measure");
   for (const auto& [option, used_by] : uses)
     given.refuse(given.has("--measure") &&

@@ -15,7 +15,6 @@ class Motion : public virtual SceneHolder {
   // set_event_driven(false) tests all spheres (anchored), keep_near_pairs(false) lists the near pairs anew (contacts).
   virtual void set_event_driven(bool on) = 0;
   virtual void keep_near_pairs(bool on) = 0;
-  virtual void sum_impulses(ImpulseSums sums) = 0;  // for measuring; std::invalid_argument where the device cannot
 
   // Computes what `anchored` keeps in another form; other methods always have it. Searching and drawing evaluate the
   // positions themselves; state() needs evaluate_state().

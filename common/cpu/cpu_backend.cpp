@@ -89,7 +89,6 @@ class CpuBackend final : public Backend, public Drawing {
   }
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
   void keep_near_pairs(bool on) override { motion_.keep_near_pairs(on); }
-  void sum_impulses(ImpulseSums sums) override { motion_.sum_impulses(sums); }
   void evaluate_positions() override { motion_.positions(threads_); }
   void evaluate_state() override { motion_.evaluate_state(threads_); }
   State state() override { return motion_.state(); }

@@ -29,7 +29,6 @@ class CpuMotion {
   void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
   void keep_near_pairs(bool on) { contacts_.keep_list(on); }
-  void sum_impulses(ImpulseSums sums) { contacts_.sum_impulses(sums); }
   uint64_t contact_searches() const { return contacts_.searches(); }
 
   // Returns the current positions; for `anchored` this call evaluates them.

@@ -46,7 +46,6 @@ struct ListLook;
   one(GROWN, vec4*, grown, "grown spheres")                                   \
   one(NEAR, const uvec2*, near, "near pairs")                                 \
   one(FAULT, uint*, fault, "faults")                                          \
-  one(ROW, uint*, row, "rows of near spheres")                                \
   one(ROW_LENGTH, uint*, row_length, "lengths of rows")                       \
   one(REST, uint*, rest, "rest of the spheres")                               \
   one(LIST_STATE, ListState*, list_state, "state of a list")                  \

@@ -13,7 +13,6 @@ namespace spherepair {
 struct DeviceCapabilities {
   uint64_t largest_buffer = 0;   // bytes that a kernel can reach in one buffer
   bool atomics_64 = false;       // 64-bit atomic minimum on buffers
-  bool float_atomics = false;    // atomic addition of float32 on buffers
   bool overlaps_images = false;  // can draw the spheres of one image while the previous one is still resolved
   bool makes_lists = false;      // kernels make lists of pairs: CUDA, and Vulkan on a GPU; see docs/NOTES/lists.md
   uint bounds_block = 0;         // group size of grid_bounds

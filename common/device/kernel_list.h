@@ -14,9 +14,6 @@
   each(contact_pairs, position | axis | impulse | near | fault | rest, impulse | fault | rest) \
   each(leapfrog, position | axis | impulse | grown | fault | rest, \
        position | velocity | count | summary | axis | impulse | fault | rest) \
-  each(contact_rows, near | fault | row_length, fault | row | row_length) \
-  each(contact_order, row | row_length, row) \
-  each(contact_gather, position | axis | fault | row | row_length, impulse | fault) \
   each(clear, none, count | summary) \
   each(sample, position, sorted) \
   each(empty, none, none) \

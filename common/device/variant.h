@@ -20,7 +20,6 @@ struct Variant {
   uint indices = 0;            // INDEX_*, if the spheres are in cell order; CUDA takes it at run time
   bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0
   bool windows = false;        // GLSL: the table is in several textures, one of which a dispatch reads
-  bool float_sums = false;     // contact_pairs, leapfrog: sum impulses in float32, in any order
   MotionOptions motion = {};   // for move, bounce and evaluate_positions
   auto operator<=>(const Variant&) const = default;
 };

@@ -14,9 +14,8 @@ std::string required(const std::string& extension, const char* macro) {
   return fmt::format("#extension {} : require\n#define {}\n", extension, macro);
 }
 
-std::string extension_lines(const Variant& variant, const KernelExtensions& extensions) {
+std::string extension_lines(const KernelExtensions& extensions) {
   return (extensions.atomics_64.empty() ? "" : required(extensions.atomics_64, "ATOMICS_64")) +
-         (variant.float_sums ? required(extensions.float_atomics, "FLOAT_SUMS") : "") +
          (extensions.subgroups ? "#extension GL_KHR_shader_subgroup_shuffle : require\n" +
                                      required("GL_KHR_shader_subgroup_arithmetic", "SUBGROUPS")
                                : "");
@@ -39,7 +38,7 @@ std::string kernel_text(const std::string& kernel, unsigned block, const Variant
          (variant.folded ? "#define FOLDED\n" : "") +
          fmt::format("#define METHOD {}u\n#define PRECISION {}\n#define Real {}\n", method, precision,
                      real_names[precision]) +
-         extension_lines(variant, extensions) + text.substr(after_version);
+         extension_lines(extensions) + text.substr(after_version);
 }
 
 }  // namespace spherepair

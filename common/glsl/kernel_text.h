@@ -10,9 +10,8 @@ namespace spherepair {
 
 // The API's names of GLSL extensions. Kernels do without an extension whose name is empty.
 struct KernelExtensions {
-  std::string atomics_64;     // 64-bit atomics on buffers
-  std::string float_atomics;  // float32 atomics, for variants that need them
-  bool subgroups = false;     // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
+  std::string atomics_64;  // 64-bit atomics on buffers
+  bool subgroups = false;  // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
 };
 
 // Returns the embedded shader of this name, preceded by definitions of the group size, the variant and the motion.

@@ -217,12 +217,8 @@ ContactParams contact_params(const Scene& scene) {
           .metres_per_second = float(std::exp2(-s) / dt),
           .fastest = std::ldexp(r.smallest, s),
           .skin = contact.skin,
-          .row_capacity = 0,
           .drag_loss = float(-std::expm1(-half_step_of_drag(scene))),
-          .sleeping = 0,
-          .unused_a = 0,
-          .unused_b = 0,
-          .unused_c = 0};
+          .sleeping = 0};
 }
 
 }  // namespace spherepair

@@ -18,8 +18,6 @@ constexpr std::array<const char*, 8> motion_names = {"euler",         "symplecti
                                                      "impact-linear", "impact",     "anchored", "leapfrog"};
 constexpr std::array<const char*, 4> precision_names = {"float32", "compensated", "float64", "fixed"};
 constexpr std::array<const char*, 4> law_names = {"none", "spring", "quartic", "hertz"};
-constexpr std::array<ImpulseSums, 3> impulse_sums = {ImpulseSums::integers, ImpulseSums::in_order,
-                                                     ImpulseSums::atomics};
 constexpr size_t free_methods = 7, free_precisions = 3;  // the first entries: without contacts
 static_assert(uint(MotionMethod::euler) == MOTION_EULER && uint(MotionMethod::symplectic) == MOTION_SYMPLECTIC &&
               uint(MotionMethod::paper) == MOTION_PAPER && uint(MotionMethod::paper_clamp) == MOTION_PAPER_CLAMP &&
@@ -61,12 +59,6 @@ MotionMethod motion_from_name(const std::string& name) {
   return MotionMethod(index_of_name(std::span(motion_names).first(free_methods), name, "motion method"));
 }
 const char* contact_name(ContactLaw law) { return law_names[size_t(law)]; }
-
-const char* impulse_sums_name(ImpulseSums sums) {
-  constexpr const char* names[] = {"integers", "in_order", "atomics"};
-  return names[size_t(sums)];
-}
-std::span<const ImpulseSums> all_impulse_sums() { return impulse_sums; }
 ContactLaw contact_from_name(const std::string& name) {
   return ContactLaw(index_of_name(law_names, name, "contact law"));
 }

@@ -43,24 +43,23 @@
 #define SLOT_GROWN 38          // vec4[n]: spheres whose near pairs are listed: grown by a skin, or around paths
 #define SLOT_NEAR 39           // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
 #define SLOT_FAULT 40          // uint[FAULT_WORDS], leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
-#define SLOT_ROW 41            // uint[row_capacity * n], contact_gather: the k-th near sphere of i at k * n + i
-#define SLOT_ROW_LENGTH 42     // uint[n], contact_gather: number of near spheres of each
-#define SLOT_REST 43           // uint[n], leapfrog: what the last step did to each sphere; see contact_rest.h
-#define SLOT_LIST_STATE 44     // ListState, of lists of pairs; see list.h
-#define SLOT_LIST_SYSTEM 45    // ListSystem[systems]
-#define SLOT_LIST_GIVEN 46     // dvec4[n]: points as given, then queries; radius in w
-#define SLOT_LIST_PLACE 47     // ivec4[n]: boxes by which each was wrapped, and its system
-#define SLOT_LIST_BEGIN 48     // int64[looking + 1]: begin of each row
-#define SLOT_LIST_SUM 49       // uint64[tiles of rows]: their lengths
-#define SLOT_LIST_FIRST 50     // uint[pairs], the columns: i, ...
-#define SLOT_LIST_SECOND 51    // uint[pairs]: ... j, ...
-#define SLOT_LIST_SHIFT 52     // int[3 * pairs]: ... and S
-#define SLOT_LIST_LOOK 53      // ListLook[looking]: what each looks through
-#define SLOT_LIST_EXCLUDED 54  // uvec2[]: pairs that are left out, sorted
-#define SLOT_LIST_KEY 55       // uint[]: j and image of each pair, by rows in any order; see KeyRange in list_row
-#define SLOT_LIST_BIN 56       // uvec2[points]: the cell of each, and its place there
-#define SLOT_LIST_LONG 57      // uint[groups of rows]: groups of list_count with a row of more keys than it keeps
-#define SLOT_TOTAL 58
+#define SLOT_ROW_LENGTH 41     // uint[looking], of lists of pairs: length of each row
+#define SLOT_REST 42           // uint[n], leapfrog: what the last step did to each sphere; see contact_rest.h
+#define SLOT_LIST_STATE 43     // ListState, of lists of pairs; see list.h
+#define SLOT_LIST_SYSTEM 44    // ListSystem[systems]
+#define SLOT_LIST_GIVEN 45     // dvec4[n]: points as given, then queries; radius in w
+#define SLOT_LIST_PLACE 46     // ivec4[n]: boxes by which each was wrapped, and its system
+#define SLOT_LIST_BEGIN 47     // int64[looking + 1]: begin of each row
+#define SLOT_LIST_SUM 48       // uint64[tiles of rows]: their lengths
+#define SLOT_LIST_FIRST 49     // uint[pairs], the columns: i, ...
+#define SLOT_LIST_SECOND 50    // uint[pairs]: ... j, ...
+#define SLOT_LIST_SHIFT 51     // int[3 * pairs]: ... and S
+#define SLOT_LIST_LOOK 52      // ListLook[looking]: what each looks through
+#define SLOT_LIST_EXCLUDED 53  // uvec2[]: pairs that are left out, sorted
+#define SLOT_LIST_KEY 54       // uint[]: j and image of each pair, by rows in any order; see KeyRange in list_row
+#define SLOT_LIST_BIN 55       // uvec2[points]: the cell of each, and its place there
+#define SLOT_LIST_LONG 56      // uint[groups of rows]: groups of list_count with a row of more keys than it keeps
+#define SLOT_TOTAL 57
 #define SLOT_PARAMS 0     // the uniform block's own binding
 #define STEPS_LOCATION 0  // location of GLSL's uniform with MotionParams::steps_done
 #define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change
@@ -165,10 +164,8 @@ struct UNIFORM_ALIGN ContactParams {
   float metres_per_second;            // speed of one unit a step
   float fastest;                      // in units a step, see FAULT_FAST
   float skin;                         // by which a sphere is grown for the list of near pairs, in radii
-  uint row_capacity;                  // room in SLOT_ROW for the near spheres of each
   float drag_loss;                    // share of a momentum that drag takes in half a step
   uint sleeping;                      // SLEEP_* and TESTS_ALL_WALLS, see contact_rest.h
-  uint unused_a, unused_b, unused_c;
 };
 
 struct UNIFORM_ALIGN SearchParams {
@@ -216,7 +213,7 @@ struct Params {
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 48 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 112 && sizeof(Params) == 384 && sizeof(uvec2) == 8 &&
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 368 && sizeof(uvec2) == 8 &&
               sizeof(Axis) == 16);
 #endif
 

@@ -13,8 +13,6 @@ namespace spherepair {
 namespace {
 
 constexpr uint64_t most_groups = 4096;  // upper limit; groups loop over the rest
-constexpr uint64_t most_row_entries = uint64_t(1) << 32;
-constexpr uint first_row_capacity = 14;  // enough for most equal spheres within their skins
 
 }  // namespace
 
@@ -35,23 +33,10 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
   context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
-  context_.buffers.resize(SLOT_ROW, 0);
-  context_.buffers.resize(SLOT_ROW_LENGTH, 0);
   if (!on_) return near_.forget();
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
   context_.buffers.write(SLOT_FAULT, std::vector<uint>(FAULT_WORDS, ~0u));
   near_.plan(grown_scene(scene));
-}
-
-void Contacts::sum_impulses(ImpulseSums sums) {
-  if (sums == ImpulseSums::atomics && !context_.device.capabilities().float_atomics)
-    throw std::invalid_argument(
-        fmt::format("{}: this driver has no atomic addition of float32 (OpenGL: GL_NV_shader_atomic_float), which "
-                    "impulses summed by atomics need",
-                    context_.name()));
-  sums_ = sums;
-  made_ = false;  // sums in order need rows
-  next_check_ = 0;
 }
 
 void Contacts::step(bool clear_results) {
@@ -102,21 +87,14 @@ void Contacts::launch(bool clear_results) {
   params.motion.clear_results = clear_results;
   const auto by_sphere = groups_per_sphere(context_);
   context_.device.begin_step({});
-  if (sums_ == ImpulseSums::in_order)
-    context_.launch({Kernel::contact_gather, SERVICE_BLOCK, {}, by_sphere}, params);
-  else
-    launch_impulses(params);
-  context_.launch({Kernel::leapfrog, SERVICE_BLOCK, variant(), by_sphere}, params);
-  context_.device.end_step();
-}
-
-void Contacts::launch_impulses(const Params& params) {
   if (sleep_mode(params.contact) != SLEEP_NEVER) {
     Params awakening = params;
     awakening.contact.sleeping = SLEEP_AWAKENS;
-    launch_pairs(Kernel::contact_pairs, awakening);
+    launch_pairs(awakening);
   }
-  launch_pairs(Kernel::contact_pairs, params);
+  launch_pairs(params);
+  context_.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, by_sphere}, params);
+  context_.device.end_step();
 }
 
 Params Contacts::pair_params() const {
@@ -125,42 +103,21 @@ Params Contacts::pair_params() const {
   return params;
 }
 
-void Contacts::launch_pairs(Kernel kernel, const Params& params) {
+void Contacts::launch_pairs(const Params& params) {
   const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
-  context_.launch({kernel, SERVICE_BLOCK, variant(), groups}, params);
+  context_.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
 }
 
 void Contacts::list_near_pairs() {
   made_ = left_ = false;  // made_ stays false if the list fails
   done_ += known_;
   launched_ = known_ = 0;
-  const bool sleeps = sleeps_ && sums_ == ImpulseSums::integers;
-  context_.params.contact.sleeping = (sleeps ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
+  context_.params.contact.sleeping =
+      (sleeps_ ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
   context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
   context_.set_near({});  // so that the list can grow in place
   context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN)));
-  if (sums_ == ImpulseSums::in_order) list_rows();
   made_ = true;
-}
-
-// Lists the near spheres of each sphere in ascending order. Rows that turn out too short are filled again.
-void Contacts::list_rows() {
-  uint& capacity = context_.params.contact.row_capacity;
-  const auto fill = [&](uint wanted) {
-    if (context_.n * wanted > most_row_entries)
-      throw BackendError(
-          fmt::format("{}: {} rows of {} near spheres are more than the 2^32 that sums in order hold; "
-                      "take fewer spheres",
-                      context_.name(), context_.n, wanted));
-    capacity = wanted;
-    context_.buffers.grow(SLOT_ROW, context_.n * capacity * sizeof(uint));
-    context_.buffers.grow(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
-    context_.buffers.clear(SLOT_ROW_LENGTH, context_.n * sizeof(uint));
-    launch_pairs(Kernel::contact_rows, pair_params());
-  };
-  fill(std::max(capacity, first_row_capacity));
-  if (const uint longest = context_.buffers.read<uint>(SLOT_FAULT, FAULT_WORDS)[LONGEST_ROW]) fill(longest);
-  context_.launch({Kernel::contact_order, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
 }
 
 void Contacts::require_sound() {

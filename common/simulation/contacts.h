@@ -19,10 +19,6 @@ class Contacts {
   void keep_list(bool on) { keeps_ = on; }  // false: list near pairs in every step
   void forget_list() { made_ = false; }     // the list is overwritten; only when all steps are done
 
-  // For measuring: sums impulses so from the next step on. All earlier steps must be complete.
-  void sum_impulses(ImpulseSums sums);
-  ImpulseSums sums() const { return sums_; }
-
   uint64_t steps() const { return done_ + known_; }  // those before the upload included
 
   // Launches a step of the motion. It waits for the device only if near pairs must be listed, or soon may have to be.
@@ -39,13 +35,10 @@ class Contacts {
 
  private:
   void list_near_pairs();
-  void list_rows();
   void require_progress() const;  // throws BackendError if the steps done are none or too many
   void launch(bool clear_results);
   Params pair_params() const;
-  void launch_impulses(const Params& params);
-  void launch_pairs(Kernel kernel, const Params& params);
-  Variant variant() const { return {.float_sums = sums_ == ImpulseSums::atomics}; }
+  void launch_pairs(const Params& params);
 
   DeviceContext& context_;
   DeviceMotion& motion_;
@@ -53,7 +46,6 @@ class Contacts {
   // Steps with this list: launched, known to be done, and when to ask next.
   uint launched_ = 0, known_ = 0, next_check_ = 0;
   uint served_ = 1;  // steps that the previous list served
-  ImpulseSums sums_ = ImpulseSums::integers;
   bool on_ = false, made_ = false, keeps_ = true;
   bool sleeps_ = false;  // spheres may come to rest
   bool tests_all_walls_ = false;

@@ -60,12 +60,6 @@ void Simulation::complete_moves() {
   if (contacts_.on() && contacts_.complete()) search_.forget();
 }
 
-void Simulation::sum_impulses(ImpulseSums sums) {
-  if (sums == contacts_.sums()) return;
-  complete_moves();
-  contacts_.sum_impulses(sums);
-}
-
 void Simulation::evaluate_positions() {
   require_scene("evaluate_positions");
   complete_moves();

@@ -34,7 +34,6 @@ class Simulation final : public Backend,
   void move() override;
   void set_event_driven(bool on) override { motion_.set_event_driven(on); }
   void keep_near_pairs(bool on) override { contacts_.keep_list(on); }
-  void sum_impulses(ImpulseSums sums) override;
   void evaluate_positions() override;
   void evaluate_state() override;
   State state() override;

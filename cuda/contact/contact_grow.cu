@@ -11,7 +11,6 @@ __global__ void __launch_bounds__(BLOCK) contact_grow(Params p, KernelBuffers bu
   if (i == 0u) {
     buf.fault[LEFT_SKIN] = 0xFFFFFFFFu;
     buf.fault[STEPS_DONE] = 0u;
-    buf.fault[LONGEST_ROW] = 0u;
   }
   if (i >= p.n) return;
   vec4 sphere = buf.position[i];

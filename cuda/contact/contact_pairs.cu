@@ -9,7 +9,6 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-template <bool FLOAT_SUMS>
 __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers buf) {
   bool stopped = buf.fault[LEFT_SKIN] != 0xFFFFFFFFu;
   uint first = group_index(p) * BLOCK + threadIdx.x;
@@ -38,13 +37,11 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
     }
     FloatPush push = float_push_of_pair(a, b, p.contact);
     record_fault(buf, push.fault, i);
-    if (!first_rests) add_impulse<FLOAT_SUMS>(buf, i, push.x, push.y, push.z);
-    if (!second_rests) add_impulse<FLOAT_SUMS>(buf, j, -push.x, -push.y, -push.z);
+    if (!first_rests) add_impulse(buf, i, push.x, push.y, push.z);
+    if (!second_rests) add_impulse(buf, j, -push.x, -push.y, -push.z);
   }
 }
 
-Entry contact_pairs_kernel(uint, Variant variant) {
-  return reinterpret_cast<Entry>(variant.float_sums ? &contact_pairs<true> : &contact_pairs<false>);
-}
+Entry contact_pairs_kernel(uint, Variant) { return reinterpret_cast<Entry>(&contact_pairs); }
 
 }  // namespace spherepair

@@ -41,54 +41,31 @@ __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uin
 }
 
 // CUDA only from here: its atomic is of unsigned numbers
-// 64-bit sums, or float32 sums to be rounded when they are taken.
-template <bool FLOAT_SUMS>
-__device__ inline int64_t load_from_impulse(const KernelBuffers& buf, uint k, uint i) {
-  if constexpr (FLOAT_SUMS) return integer_of(reinterpret_cast<float*>(buf.impulse[k])[i]);
-  return buf.impulse[k][i];
-}
-template <bool FLOAT_SUMS>
+__device__ inline int64_t load_from_impulse(const KernelBuffers& buf, uint k, uint i) { return buf.impulse[k][i]; }
 __device__ inline void clear_impulse(const KernelBuffers& buf, uint k, uint i, int64_t sum) {
-  if constexpr (FLOAT_SUMS) {
-    float& unrounded = reinterpret_cast<float*>(buf.impulse[k])[i];
-    if (unrounded != 0.0f) unrounded = 0.0f;
-  } else {
-    if (sum != 0) buf.impulse[k][i] = 0;
-  }
+  if (sum != 0) buf.impulse[k][i] = 0;
 }
-__device__ inline void put_in_impulse(const KernelBuffers& buf, uint k, uint i, int64_t value) {
-  buf.impulse[k][i] = value;
-}
-template <bool FLOAT_SUMS>
 __device__ inline void add_to_impulse(const KernelBuffers& buf, uint k, uint i, float value) {
-  if constexpr (FLOAT_SUMS) {
-    atomicAdd(reinterpret_cast<float*>(buf.impulse[k]) + i, value);
-  } else {
-    unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
-    atomicAdd(sum, static_cast<unsigned long long>(integer_of(value)));
-  }
+  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
+  atomicAdd(sum, static_cast<unsigned long long>(integer_of(value)));
 }
 // until here
 
-template <bool FLOAT_SUMS>
 __device__ inline void add_impulse(const KernelBuffers& buf, uint i, float x, float y, float z) {
-  add_to_impulse<FLOAT_SUMS>(buf, 0u, i, x);
-  add_to_impulse<FLOAT_SUMS>(buf, 1u, i, y);
-  add_to_impulse<FLOAT_SUMS>(buf, 2u, i, z);
+  add_to_impulse(buf, 0u, i, x);
+  add_to_impulse(buf, 1u, i, y);
+  add_to_impulse(buf, 2u, i, z);
 }
 
 // Returns the sum of the impulses that were added.
-template <bool FLOAT_SUMS>
 __device__ inline Push load_impulse(const KernelBuffers& buf, uint i) {
-  return Push{load_from_impulse<FLOAT_SUMS>(buf, 0u, i), load_from_impulse<FLOAT_SUMS>(buf, 1u, i),
-              load_from_impulse<FLOAT_SUMS>(buf, 2u, i), FAULTS};
+  return Push{load_from_impulse(buf, 0u, i), load_from_impulse(buf, 1u, i), load_from_impulse(buf, 2u, i), FAULTS};
 }
 // Sets that sum to 0 for the next step.
-template <bool FLOAT_SUMS>
 __device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum) {
-  clear_impulse<FLOAT_SUMS>(buf, 0u, i, sum.x);
-  clear_impulse<FLOAT_SUMS>(buf, 1u, i, sum.y);
-  clear_impulse<FLOAT_SUMS>(buf, 2u, i, sum.z);
+  clear_impulse(buf, 0u, i, sum.x);
+  clear_impulse(buf, 1u, i, sum.y);
+  clear_impulse(buf, 2u, i, sum.z);
 }
 
 // Records a fault. The lowest index is kept, so that the message names the same sphere in any order.

@@ -9,7 +9,6 @@ namespace spherepair {
 
 constexpr uint BLOCK = SERVICE_BLOCK;
 
-template <bool FLOAT_SUMS>
 __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   uint i = group_index(p) * BLOCK + threadIdx.x;
   if (p.motion.clear_results != 0u) clear_results(p, buf, i);
@@ -19,10 +18,10 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
     return;
   }
   Body before = load_body(p, buf, i);  // all loads are issued before the first branch that waits for one
-  Push contacts = load_impulse<FLOAT_SUMS>(buf, i);
+  Push contacts = load_impulse(buf, i);
   vec4 skin = buf.grown[i];
   if (buf.fault[STOPPED] != 0u) return;
-  clear_impulses<FLOAT_SUMS>(buf, i, contacts);
+  clear_impulses(buf, i, contacts);
   Push walls = push_of_walls(before, (p.contact.sleeping & TESTS_ALL_WALLS) != 0u, p.contact);
   record_fault(buf, walls.fault, i);
   Body s = kicked_in_fluid(before, contacts, walls, p.contact);
@@ -37,8 +36,6 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
-Entry leapfrog_kernel(uint, Variant variant) {
-  return reinterpret_cast<Entry>(variant.float_sums ? &leapfrog<true> : &leapfrog<false>);
-}
+Entry leapfrog_kernel(uint, Variant) { return reinterpret_cast<Entry>(&leapfrog); }
 
 }  // namespace spherepair

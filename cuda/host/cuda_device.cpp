@@ -86,7 +86,6 @@ CudaDevice::CudaDevice(int device, int before)
       info_(describe_device(device)),
       capabilities_{.largest_buffer = uint64_t(1) << 47,
                     .atomics_64 = true,
-                    .float_atomics = true,
                     .overlaps_images = false,
                     .makes_lists = true,
                     .bounds_block = SERVICE_BLOCK,

@@ -72,7 +72,7 @@ def contact_errors(put, machine, others):
 
 def contact_rates(put, machine, others):
     """Of a gas: its pressure and cooling, against the finest step and against kinetic theory."""
-    root = machine.source("contacts.json")
+    root = machine.sources.get("contacts_errors.json") or machine.source("contacts.json")
     steps = {row["steps_a_contact"] for row in root["contact_rates"]}
     put("rates/converged", str(max(steps)), root["id"], "steps a contact of the runs that others are compared with")
     put("rates/n", f"{root['settings']['rates']['n']:,}", root["id"], "spheres of a gas whose rates are measured")

@@ -11,7 +11,6 @@ void main() {
   if (i == 0u) {
     fault[LEFT_SKIN] = 0xFFFFFFFFu;
     fault[STEPS_DONE] = 0u;
-    fault[LONGEST_ROW] = 0u;
   }
   if (i >= p.n) return;
   vec4 sphere = position[i];

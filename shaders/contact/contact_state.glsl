@@ -44,24 +44,15 @@ void store_body(uint i, Body s, vec4 speeds) {
 }
 
 // GLSL only from here: CUDA has the atomic
-// 64-bit sums, or float32 sums to be rounded when they are taken. Without 64-bit atomics by two of 32 bits, exact once
-// all are done: exactly one addition sees each wrap of the low word.
-#if defined FLOAT_SUMS
-layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { float of[]; }
-impulse[3];
-int64_t load_from_impulse(uint k, uint i) { return integer_of(impulse[k].of[i]); }
-void clear_impulse(uint k, uint i, int64_t rounded) {
-  if (impulse[k].of[i] != 0.0f) impulse[k].of[i] = 0.0f;
-}
-void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], value); }
-#elif defined ATOMICS_64
+// Without 64-bit atomics a sum takes two of 32 bits, exact once all are done: exactly one addition sees each wrap of
+// the low word.
+#if defined ATOMICS_64
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { int64_t of[]; }
 impulse[3];
 int64_t load_from_impulse(uint k, uint i) { return impulse[k].of[i]; }
 void clear_impulse(uint k, uint i, int64_t sum) {
   if (sum != 0l) impulse[k].of[i] = 0l;
 }
-void put_in_impulse(uint k, uint i, int64_t value) { impulse[k].of[i] = value; }
 void add_to_impulse(uint k, uint i, float value) { atomicAdd(impulse[k].of[i], integer_of(value)); }
 #else
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { uvec2 of[]; }
@@ -72,9 +63,6 @@ int64_t load_from_impulse(uint k, uint i) {
 }
 void clear_impulse(uint k, uint i, int64_t sum) {
   if (sum != 0l) impulse[k].of[i] = uvec2(0u);
-}
-void put_in_impulse(uint k, uint i, int64_t value) {
-  impulse[k].of[i] = uvec2(uint(uint64_t(value) & 0xFFFFFFFFul), uint(uint64_t(value) >> 32));
 }
 void add_to_impulse(uint k, uint i, float rounded_here) {
   int64_t value = integer_of(rounded_here);

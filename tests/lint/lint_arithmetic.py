@@ -15,7 +15,7 @@ import tempfile
 import lint_kernels
 from lint_sources import Skip
 
-STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "contact_gather", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
+STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
 WITH_SEARCH = ("persistent_steps",)  # feeds state and searches: the filter's own fused multiply-adds are its only ones
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
@@ -34,7 +34,7 @@ def need(tool, package):
 
 def with_defines(text, *defines):
     """As the driver gets it: the definitions follow the #version line."""
-    extensions = {"ATOMICS_64": "GL_NV_shader_atomic_int64", "FLOAT_SUMS": "GL_EXT_shader_atomic_float"}
+    extensions = {"ATOMICS_64": "GL_NV_shader_atomic_int64"}
     lines = "".join(f"#extension {extensions[define]} : require\n" for define in defines if define in extensions)
     lines += "".join(f"#define {define}\n" for define in defines)
     return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
@@ -63,9 +63,8 @@ def variants(stem, text):
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
                   for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
-    if stem in ("contact_pairs", "contact_gather", "leapfrog"):
-        plain = ("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")
-        return [plain] if stem == "contact_gather" else [plain, (*plain, "FLOAT_SUMS")]
+    if stem in ("contact_pairs", "leapfrog"):
+        return [("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")]
     methods = METHODS if stem == "move" else (6,)
     return [("BLOCK 256", "INDICES 0u", f"METHOD {method}u", f"PRECISION {precision}", f"Real {real}")
             for method in methods for precision, real in enumerate(PRECISIONS)]

@@ -1,20 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Deliberate faults in what is done with near pairs: sums of impulses, their study, contacts between steps, walls and rest."""
+"""Deliberate faults in what is done with near pairs: their study, contacts between steps, walls and rest."""
 from mutant import mutant
 
 NEAR_PAIRS = [
-    mutant("glsl: rows of near pairs stay unsorted", "shaders/contact/contact_order.comp", "k < length", "k < min(length, 1u)",
-           "SumsOfImpulses"),
-    mutant("glsl: rows hold one sphere of a pair", "shaders/contact/contact_rows.comp", "join_row(near[k].y, near[k].x);", "",
-           "SumsOfImpulses"),
-    mutant("rows that are too short stay so", "common/simulation/contacts.cpp", "fill(longest);", "static_cast<void>(longest);",
-           "SumsOfImpulses"),
-    mutant("sums in order without rows", "common/simulation/contacts.cpp", "made_ = false;  // sums in order need rows", "",
-           "SumsOfImpulses"),
-    mutant("cpu: float sums are kept", "common/cpu/cpu_contacts.cpp", "std::exchange(float_sums_[k], 0.0f)", "float_sums_[k]",
-           "SumsOfImpulses"),
-    mutant("glsl: float sums are kept", "shaders/contact/contact_state.glsl", "if (impulse[k].of[i] != 0.0f) impulse[k].of[i] = 0.0f;", "",
-           "SumsOfImpulses"),
     mutant("momentum is no change", "bench/studies/contact/contact_errors.cpp", "word(wide, k) - word(start, k)", "word(wide, k)",
            "ContactStudy"),
     mutant("the way back goes on", "bench/studies/contact/contact_errors.cpp", "-word(later, k)", "word(later, k)", "ContactStudy"),
@@ -77,8 +65,6 @@ NEAR_PAIRS = [
     mutant("cpu: what touches is passed over", "common/cpu/cpu_contacts.cpp", "if (is_apart(positions[pair.first],", "if (!is_apart(positions[pair.first],",
            "Contacts", "ContactLaws"),
     mutant("glsl: what touches is passed over", "shaders/contact/contact_pairs.comp", "if (is_apart(", "if (!is_apart(", "Contacts"),
-    mutant("glsl: what touches is left out of sums in order", "shaders/contact/contact_gather.comp", "if (is_apart(", "if (!is_apart(",
-           "SumsOfImpulses"),
     mutant("a quotient's guess is not raised", "common/shared/contact/contact_quotient.h", "while (d.rest >= int(b))", "while (d.rest > int(b))", "ContactQuotient"),
     mutant("a root's guess is not lowered", "common/shared/contact/contact_quotient.h", "d.rest += int(2u * d.whole + 1u);", "d.rest += int(2u * d.whole);",
            "ContactQuotient"),

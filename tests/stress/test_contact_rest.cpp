@@ -147,22 +147,6 @@ TEST_P(ContactRest, FaultsAreSeenWhereSphere0Rests) {
   EXPECT_EQ(texts[true], texts[false]);
 }
 
-// Sums in order, which evaluate every pair, and integers, in turns.
-TEST_P(ContactRest, SumsCanChangeWhileSpheresRest) {
-  const Scene scene = soft_bed(27, 0.02);
-  const auto alternating = [&](Backend& one, const Scene& moved) {
-    one.upload(moved);
-    for (uint64_t step = 0; step < 12'000; ++step) {
-      if (step % 3000 == 0) one.sum_impulses(step % 6000 == 0 ? ImpulseSums::integers : ImpulseSums::in_order);
-      one.move();
-    }
-    const Motion::State state = current_state(one);
-    one.sum_impulses(ImpulseSums::integers);
-    return state;
-  };
-  expect_equal_states(alternating(backend(), scene), alternating(cpu_backend(), awake(scene)), "alternating");
-}
-
 TEST_P(ContactRest, SavedAndResumedAtRest) {
   const Scene scene = soft_bed(27, 0.02);
   const Motion::State wanted = run_steps(cpu_backend(), awake(scene), 9000), middle = run_steps(backend(), scene, 6000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `spherepair contacts` measures: errors fall with the square of the time step, integer sums keep the momentum to
-// the last unit and go back to the first bits; and what it records.
+// What `spherepair contacts` measures: errors fall with the square of the time step, the momentum stays to the last
+// unit, runs go back to the first bits; and what it records.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include "bench/studies/contact/contact_study.h"
 #include "tests/faults/faulty_session.h"
 #include "tests/support/backends.h"
-#include "tests/support/forwarding_backend.h"
 #include "tests/support/program.h"
 
 namespace spherepair {
@@ -27,9 +26,8 @@ class ContactStudy : public ProgramTest {
   }
   std::vector<ContactRun> errors_of(const ContactPlan& plan) {
     Session session({"cpu"}, {});
-    return measure_contact_errors(session, plan, left_out_, progress_);
+    return measure_contact_errors(session, plan, progress_);
   }
-  std::vector<std::string> left_out_;
   Progress progress_;
 };
 
@@ -37,32 +35,23 @@ class ContactStudy : public ProgramTest {
 TEST_F(ContactStudy, ElasticErrorsFallWithTheSquareOfTheTimeStep) {
   for (const ContactLaw law : {ContactLaw::spring, ContactLaw::hertz, ContactLaw::quartic}) {
     const std::vector<ContactRun> runs = errors_of(small_plan({law}));
-    ASSERT_EQ(runs.size(), 6u);
-    for (const ImpulseSums sums : all_impulse_sums()) {
-      std::vector<ContactRun> by_step;
-      std::ranges::copy_if(runs, std::back_inserter(by_step), [&](const ContactRun& run) { return run.sums == sums; });
-      const ContactRun &coarse = by_step.front(), &fine = by_step.back();
-      EXPECT_EQ(fine.steps, 16 * coarse.steps);
-      EXPECT_GT(coarse.position / fine.position, 64) << contact_name(law);
-      EXPECT_LT(coarse.position, 1e-2) << contact_name(law);
-      EXPECT_LT(std::abs(fine.energy), 1e-5) << contact_name(law);
-    }
+    ASSERT_EQ(runs.size(), 2u);
+    const ContactRun &coarse = runs.front(), &fine = runs.back();
+    EXPECT_EQ(fine.steps, 16 * coarse.steps);
+    EXPECT_GT(coarse.position / fine.position, 64) << contact_name(law);
+    EXPECT_LT(coarse.position, 1e-2) << contact_name(law);
+    EXPECT_LT(std::abs(fine.energy), 1e-5) << contact_name(law);
   }
-  EXPECT_TRUE(left_out_.empty());
 }
 
-TEST_F(ContactStudy, IntegersKeepTheMomentumAndGoBack) {
+TEST_F(ContactStudy, RunsKeepTheMomentumAndGoBack) {
   for (const ContactKind& kind : ContactPlan{}.kinds) {
     ContactPlan plan = small_plan(kind);
     plan.steps_a_contact = {10};
     for (const ContactRun& run : errors_of(plan)) {
-      if (run.sums == ImpulseSums::integers) {
-        EXPECT_EQ(run.momentum, (std::array<int64_t, 3>{})) << label(kind);
-      }
+      EXPECT_EQ(run.momentum, (std::array<int64_t, 3>{})) << label(kind);
       ASSERT_EQ(run.returns.has_value(), kind.restitution == 1) << label(kind);
-      if (run.returns && run.sums != ImpulseSums::atomics) {
-        EXPECT_TRUE(*run.returns) << label(kind) << ' ' << impulse_sums_name(run.sums);
-      }
+      EXPECT_TRUE(run.returns.value_or(true)) << label(kind);
       EXPECT_GT(run.position, 0) << label(kind);
     }
   }
@@ -73,35 +62,8 @@ TEST_F(ContactStudy, DifferentStatesAreNotRecorded) {
   plan.steps_a_contact = {10};
   for (const NamedFault& fault : state_faults()) {
     Session session = session_with(fault.fault, 1);
-    expect_named(difference_of([&] { measure_contact_errors(session, plan, left_out_, progress_); }), fault,
-                 "contacts");
+    expect_named(difference_of([&] { measure_contact_errors(session, plan, progress_); }), fault, "contacts");
   }
-}
-
-class WithoutAtomics : public ForwardingBackend {
- public:
-  using ForwardingBackend::ForwardingBackend;
-  void sum_impulses(ImpulseSums sums) override {
-    if (sums == ImpulseSums::atomics) throw std::invalid_argument("opengl: no atomics here");
-    ForwardingBackend::sum_impulses(sums);
-  }
-};
-
-TEST_F(ContactStudy, SumsThatADeviceLacksAreLeftOutAndNamedOnce) {
-  Session session({"cpu", "opengl"}, {.threads = 1},
-                  [](const std::string& name, const OpenOptions& options) -> std::unique_ptr<Backend> {
-                    if (name == "cpu") return open_backend(name, options);
-                    return std::make_unique<WithoutAtomics>(name, open_backend("cpu", options));
-                  });
-  ContactPlan plan = small_plan({ContactLaw::quartic});
-  plan.n = 8, plan.steps_a_contact = {10, 20}, plan.cost_sizes = {8};
-  plan.sampling.rounds = 1, plan.sampling.software_seconds = 1e-4;
-  const std::vector<ContactRun> runs = measure_contact_errors(session, plan, left_out_, progress_);
-  const std::vector<SumsCost> costs = measure_sums(session, plan, left_out_, progress_);
-  EXPECT_EQ(left_out_, std::vector<std::string>{"opengl: no atomics here"});
-  EXPECT_EQ(runs.size(), 2 * (3 + 2u));
-  EXPECT_EQ(costs.size(), 3 + 2u);
-  for (const ContactRun& run : runs) EXPECT_TRUE(run.backend == "cpu" || run.sums != ImpulseSums::atomics);
 }
 
 // A small gas for a short time: pressures and cooling times are those of kinetic theory only roughly.
@@ -129,7 +91,7 @@ TEST_F(ContactStudy, RatesAreThoseOfEachTimeStepAgainstTheConvergedOne) {
   EXPECT_TRUE(measure_rates(session, plan, progress_).empty());
 }
 
-TEST_F(ContactStudy, RecordsEveryRunAndCost) {
+TEST_F(ContactStudy, RecordsEveryRunAndStep) {
   const Outcome outcome =
       run(fmt::format("contacts --backends cpu --threads 2 --laws spring --steps 10,20 --n 125,64 --averaged 30 "
                       "--drag-steps 0.1:5 --rounds 6 --results {}",
@@ -137,7 +99,7 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const json record = json::parse(read_bytes(path("r/contacts.json")));
   EXPECT_EQ(record.at("format"), "spherepair contacts 1");
-  ASSERT_EQ(record.at("contact_runs").size(), 2 * 2 * 3u);
+  ASSERT_EQ(record.at("contact_runs").size(), 2 * 2u);
   for (const json& run : record.at("contact_runs")) {
     EXPECT_EQ(run.at("law"), "spring");
     EXPECT_EQ(run.at("n"), 125);
@@ -155,21 +117,13 @@ TEST_F(ContactStudy, RecordsEveryRunAndCost) {
   EXPECT_DOUBLE_EQ(steps.at("seconds_per_step").get<double>(), steps.at("sample").at("median_ms").get<double>() / 30e3);
   EXPECT_TRUE(steps.at("over_cuda").is_null());
   EXPECT_DOUBLE_EQ(steps.at("sphere_steps_per_second").get<double>(), 125 / steps.at("seconds_per_step").get<double>());
-  ASSERT_EQ(record.at("contact_sums").size(), 2 * 3u);
-  for (const json& cost : record.at("contact_sums")) {
-    const bool integers = cost.at("sums") == "integers";
-    EXPECT_EQ(cost.at("integers_over_this").is_null(), integers);
-    if (!integers) {
-      EXPECT_LE(cost.at("integers_over_this").at("low"), cost.at("integers_over_this").at("high"));
-    }
-  }
   ASSERT_EQ(record.at("contact_rates").size(), 3 * 3u);
   for (const json& rate : record.at("contact_rates")) {
     EXPECT_EQ(rate.at("quantity"), rate.at("restitution") == 1.0 ? "pressure" : "cooling time");
     EXPECT_LE(rate.at("over_theory").at("low"), rate.at("over_theory").at("high"));
     EXPECT_EQ(rate.at("error").is_null(), rate.at("steps_a_contact") == 80);
   }
-  EXPECT_NE(outcome.output.find("integers over this"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("Whole steps of the scene gas"), std::string::npos) << outcome.output;
   std::istringstream lines(outcome.output);
   for (std::string line; std::getline(lines, line);)
     EXPECT_TRUE(line.size() <= kTextWidth || line.starts_with("Results: ")) << line;

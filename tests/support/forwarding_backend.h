@@ -27,7 +27,6 @@ class ForwardingBackend : public Backend, public Drawing {
   void move() override { real_->move(); }
   void set_event_driven(bool on) override { real_->set_event_driven(on); }
   void keep_near_pairs(bool on) override { real_->keep_near_pairs(on); }
-  void sum_impulses(ImpulseSums sums) override { real_->sum_impulses(sums); }
   void evaluate_positions() override { real_->evaluate_positions(); }
   void evaluate_state() override { real_->evaluate_state(); }
   void collide(const CollideOptions& options) override { real_->collide(options); }

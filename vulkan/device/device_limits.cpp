@@ -36,16 +36,12 @@ void read_features(const Calls& vk, VkPhysicalDevice device, const std::set<std:
                    DeviceLimits& limits) {
   auto atomics =
       typed<VkPhysicalDeviceShaderAtomicInt64Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_INT64_FEATURES);
-  auto floats = typed<VkPhysicalDeviceShaderAtomicFloatFeaturesEXT>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT);
   auto all = typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
   chain(all.pNext, atomics, knows(limits.properties, extensions, VK_KHR_SHADER_ATOMIC_INT64_EXTENSION_NAME));
-  chain(all.pNext, floats, extensions.contains(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME));
   vk.GetPhysicalDeviceFeatures2(device, &all);
   require(all.features.shaderInt64, limits, "64-bit integers (shaderInt64)");
   require(all.features.shaderFloat64, limits, "float64 (shaderFloat64)");
   limits.atomics_64 = atomics.shaderBufferInt64Atomics;
-  limits.float_atomics = floats.shaderBufferFloat32AtomicAdd;
   limits.exports_memory = !limits.software && extensions.contains(VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME);
   limits.memory_budget = extensions.contains(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 }
@@ -192,10 +188,8 @@ WantedFeatures::WantedFeatures(const DeviceLimits& limits) {
   features.features.shaderInt64 = features.features.shaderFloat64 = VK_TRUE;
   if (floats && !core) extensions.push_back(VK_KHR_SHADER_FLOAT_CONTROLS_EXTENSION_NAME);
   if (limits.atomics_64 && !core) extensions.push_back(VK_KHR_SHADER_ATOMIC_INT64_EXTENSION_NAME);
-  if (limits.float_atomics) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);
-  atomics_64_.shaderBufferInt64Atomics = float_atomics_.shaderBufferFloat32AtomicAdd = VK_TRUE;
+  atomics_64_.shaderBufferInt64Atomics = VK_TRUE;
   chain(features.pNext, atomics_64_, limits.atomics_64);
-  chain(features.pNext, float_atomics_, limits.float_atomics);
   chain(features.pNext, matrices_, limits.tensor_groups != 0);
   chain(features.pNext, memory_model_, limits.tensor_groups != 0);
   chain(features.pNext, halves_, limits.tensor_groups != 0);
@@ -225,7 +219,6 @@ BackendInfo describe_device(const DeviceLimits& limits) {
 DeviceCapabilities capabilities_of(const DeviceLimits& limits) {
   return {.largest_buffer = limits.largest_binding,
           .atomics_64 = limits.atomics_64,
-          .float_atomics = limits.float_atomics,
           .overlaps_images = true,
           .makes_lists = !limits.software,
           .bounds_block = 256,  // as in OpenGL

@@ -17,7 +17,7 @@ struct DeviceLimits {
   uint64_t largest_texture = 0;  // elements of a texel buffer
   uint32_t queue_family = 0;
   uint32_t timestamp_bits = 0;  // 0: the queue has no clock
-  bool atomics_64 = false, float_atomics = false, subgroups = false, memory_budget = false;
+  bool atomics_64 = false, subgroups = false, memory_budget = false;
   bool exports_memory = false;  // to other APIs, through file descriptors
   uint32_t tensor_groups = 0;   // of collide_tensor that run at once; 0: not supported
   FloatControls floats;
@@ -44,8 +44,6 @@ struct WantedFeatures {
       typed<VkPhysicalDeviceVulkanMemoryModelFeatures>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_MEMORY_MODEL_FEATURES);
   VkPhysicalDeviceShaderFloat16Int8Features halves_ =
       typed<VkPhysicalDeviceShaderFloat16Int8Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_FLOAT16_INT8_FEATURES);
-  VkPhysicalDeviceShaderAtomicFloatFeaturesEXT float_atomics_ = typed<VkPhysicalDeviceShaderAtomicFloatFeaturesEXT>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT);
 };
 
 BackendInfo describe_device(const DeviceLimits& limits);

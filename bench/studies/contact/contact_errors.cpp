@@ -85,38 +85,35 @@ bool comes_back(Motion& motion, const Scene& scene, uint64_t steps) {
 
 class Errors {
  public:
-  Errors(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out, Progress& progress)
-      : session_(session), plan_(plan), left_out_(left_out), progress_(progress) {}
+  Errors(Session& session, const ContactPlan& plan, Progress& progress)
+      : session_(session), plan_(plan), progress_(progress) {}
 
   void run(const ContactKind& kind) {
     progress_.say(fmt::format("{}: the converged run", label(kind)));
     const Scene scene = contact_scene(plan_, kind, plan_.converged);
     const End converged = end_of(fastest(session_), scene, steps_of_run(plan_, kind, plan_.converged));
-    for (const uint fine : plan_.steps_a_contact)
-      for (const ImpulseSums sums : all_impulse_sums()) run(kind, fine, sums, converged);
+    for (const uint fine : plan_.steps_a_contact) run(kind, fine, converged);
   }
 
   std::vector<ContactRun> runs;
 
  private:
-  void run(const ContactKind& kind, uint fine, ImpulseSums sums, const End& converged) {
+  void run(const ContactKind& kind, uint fine, const End& converged) {
     const Scene scene = contact_scene(plan_, kind, fine);
     const uint64_t steps = steps_of_run(plan_, kind, fine);
-    progress_.say(fmt::format("{}: {} steps a contact, {}", label(kind), fine, impulse_sums_name(sums)));
-    std::vector<Backend*> ran;
+    progress_.say(fmt::format("{}: {} steps a contact", label(kind), fine));
+    const size_t first = runs.size();
     for (const auto& backend : session_.backends()) {
-      if (!use_sums(*backend, sums, left_out_)) continue;
       const End end = end_of(*backend, scene, steps);
-      ran.push_back(backend.get());
-      runs.push_back({kind, fine, sums, backend->info().name, scene.size(), steps, double(scene.dt),
+      runs.push_back({kind, fine, backend->info().name, scene.size(), steps, double(scene.dt),
                       rms_distance(scene, end.state.wide, converged.state.wide),
                       (end.energy - converged.energy) / converged.energy, change_of_momentum(scene, end.state.wide),
                       std::nullopt});
     }
-    if (sums != ImpulseSums::atomics) compare(steps);
-    for (size_t k = 0; kind.restitution == 1 && k < ran.size(); ++k)
-      runs[runs.size() - ran.size() + k].returns = comes_back(*ran[k], scene, steps);
-    for (Backend* backend : ran) backend->sum_impulses(ImpulseSums::integers);
+    compare(steps);
+    if (kind.restitution != 1) return;
+    for (size_t k = 0; k < session_.backends().size(); ++k)
+      runs[first + k].returns = comes_back(*session_.backends()[k], scene, steps);
   }
 
   void compare(uint64_t steps) {
@@ -130,7 +127,6 @@ class Errors {
 
   Session& session_;
   const ContactPlan& plan_;
-  std::vector<std::string>& left_out_;
   Progress& progress_;
 };
 
@@ -167,19 +163,8 @@ uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint ste
   return uint64_t(std::ceil(seconds / double(scene.dt))) * (steps_a_contact / coarsest);
 }
 
-bool use_sums(Motion& motion, ImpulseSums sums, std::vector<std::string>& left_out) {
-  try {
-    motion.sum_impulses(sums);
-    return true;
-  } catch (const std::invalid_argument& lacking) {
-    if (!std::ranges::count(left_out, lacking.what())) left_out.push_back(lacking.what());
-    return false;
-  }
-}
-
-std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan,
-                                               std::vector<std::string>& left_out, Progress& progress) {
-  Errors errors(session, plan, left_out, progress);
+std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan, Progress& progress) {
+  Errors errors(session, plan, progress);
   for (const ContactKind& kind : plan.kinds) errors.run(kind);
   return std::move(errors.runs);
 }
@@ -187,7 +172,7 @@ std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPl
 json to_json(const ContactRun& run) {
   json out = {{"law", contact_name(run.kind.law)},
               {"restitution", run.kind.restitution},
-              {"sums", impulse_sums_name(run.sums)},
+              {"sums", "integers"},
               {"backend", run.backend},
               {"n", run.n},
               {"steps_a_contact", run.steps_a_contact},

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The measurements of `spherepair contacts`: error and run time by law, time step and sum of the impulses, and the cost
-// of sums without an order.
+// The measurements of `spherepair contacts`: error and run time by law and time step, whole steps, rates and beds.
 //
 // contacts.json, "format": "spherepair contacts 1":
 //   context, backends, warnings, clocks   as in results.json (report.h, context.h)
-//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, cost_steps, steps_averaged,
+//   settings   {n, seed, packing_fraction, collisions, converged_steps_a_contact, steps_averaged,
 //               rates: {n, seeds, converged_steps_a_contact, softer, equilibration, pressure_seconds, cooling_times,
 //               samples}}
-//   contact_runs   one entry per law, restitution, time step, sum and backend, of a gas without walls:
-//     {law, restitution, sums, backend, n, steps_a_contact, dt, steps,
+//   contact_runs   one entry per law, restitution, time step and backend, of a gas without walls:
+//     {law, restitution, sums: "integers", backend, n, steps_a_contact, dt, steps,
 //      position   rms distance from the converged run's centres at the end, in radii
 //      energy     change of the energy against the converged run's, over it
 //      momentum   [x, y, z]: change of the sum of all momenta, in units of the state's integers
 //      returns    elastic laws: whether as many steps back come to the first positions, bit for bit; null for others
 //      seconds_per_step, low, high   median and its 95 % interval; run_seconds: of all steps
 //      sample     as to_json(Samples)}
-//   contact_sums   a step of the scene gas by the law spring, 40 steps a contact, lists of near pairs included:
-//     {backend, n, sums, seconds_per_step, low, high, sample,
-//      integers_over_this   of the time with integers: ratio, low and high of its interval, as verdicts have it}
-//   gas_steps  whole steps of the same, the mean of so many from its start: contacts, motion, walls and near pairs:
+//   gas_steps  whole steps of the scene gas by the law spring, 40 steps a contact, the mean of so many from its start:
+//     contacts, motion, walls and near pairs
 //     {backend, n, steps, seconds_per_step, low, high, sphere_steps_per_second,
 //      sample       of all these steps at once
 //      over_cuda    time over CUDA's, of GPU APIs other than CUDA: ratio, low and high of its interval; else null}
@@ -39,7 +36,7 @@
 //      steps        [{backend, sleeping, seconds_per_step, low, high, sample
 //                    awake_over_this   ratio, low and high of its interval; null for itself}]}
 //   targets    of a GPU: {what, value, bound, met}
-//   left_out   [text]: sums that a device lacks
+//   left_out   [text]: backends that do not time so many spheres
 #pragma once
 
 #include <array>
@@ -95,10 +92,8 @@ struct ContactPlan {
   uint converged = 640;                                       // steps a contact
   uint64_t n = 4096, seed = SceneOptions{}.seed;
   double packing_fraction = 0.3;
-  double collisions = 2;  // mean times between collisions of a sphere: trajectories are not chaotic yet
-  std::vector<uint64_t> cost_sizes;
-  uint64_t cost_steps = 320;          // of the longest batch: several lists of near pairs
-  uint64_t most_on_host = 1'000'000;  // spheres when costs are timed; more spheres only on GPUs
+  double collisions = 2;              // mean times between collisions of a sphere: trajectories are not chaotic yet
+  uint64_t most_on_host = 1'000'000;  // spheres when whole steps are timed; more spheres only on GPUs
   std::vector<uint64_t> step_sizes;   // sizes at which whole steps are timed
   uint64_t steps_averaged = 1000;     // whole steps whose mean is taken, from the start
   RatePlan rates;
@@ -109,7 +104,6 @@ struct ContactPlan {
 struct ContactRun {
   ContactKind kind;
   uint steps_a_contact;
-  ImpulseSums sums;
   std::string backend;
   uint64_t n, steps;
   double dt;
@@ -118,14 +112,6 @@ struct ContactRun {
   std::optional<bool> returns;
   std::optional<Samples> samples = {};  // of a step
   double seconds() const { return samples ? double(steps) * samples->median_seconds() : 0; }
-};
-
-struct SumsCost {
-  std::string backend;
-  uint64_t n;
-  ImpulseSums sums;
-  Samples samples;
-  std::optional<Contest> integers;  // integer sums against these sums; none for integer sums
 };
 
 struct GasSteps {  // whole steps of a gas from its start: contacts, motion, walls, lists of near pairs
@@ -171,26 +157,17 @@ std::vector<Backend*> backends_for(const Session& session, const ContactPlan& pl
 json ratio_of(const std::optional<Contest>& contest);
 json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 
-// Makes the backend use these sums from the next step on. If it lacks them, returns false and adds the reason to
-// `left_out` once.
-bool use_sums(Motion& motion, ImpulseSums sums, std::vector<std::string>& left_out);
-
-// Makes each run on every backend. Throws DifferenceFound if two backends differ in any bit, unless the sums depend on
-// the order of atomics.
-std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan,
-                                               std::vector<std::string>& left_out, Progress& progress);
+// Makes each run on every backend. Throws DifferenceFound if two backends differ in any bit.
+std::vector<ContactRun> measure_contact_errors(Session& session, const ContactPlan& plan, Progress& progress);
 // Adds the times of the runs' steps.
 void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<ContactRun>& runs, Progress& progress);
 
-// Both first compare the states for each sum that they time, except `atomics`, and throw DifferenceFound if two
-// backends differ in any bit. The CPU and APIs in software leave out more than plan.most_on_host spheres.
-std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
-                                   Progress& progress);
+// First compares the states, and throws DifferenceFound if two backends differ in any bit. The CPU and APIs in software
+// leave out more than plan.most_on_host spheres.
 std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                         Progress& progress);
 
-// Measures rates at every time step of the plan and the converged one, with integer sums only. Other sums round
-// differently: that soon changes every path of a gas, but no mean.
+// Measures rates at every time step of the plan and the converged one.
 std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan, Progress& progress);
 
 // The fastest backend moves a bed through all stages. All backends continue from there, after a comparison.
@@ -203,11 +180,8 @@ std::vector<Target> rest_targets(const Session& session, const std::vector<Settl
 
 // For GPUs: CUDA takes 1e10 sphere-steps/s or more, others at most 1.10x its time.
 std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps);
-// For GPUs: a step with integer sums takes at most 1.10x the time of one with float32 sums in a fixed order.
-std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs);
 
 json to_json(const ContactRun& run);
-json to_json(const SumsCost& cost);
 json to_json(const GasSteps& steps);
 json to_json(const RatePlan& plan);
 json to_json(const RestPlan& plan);
@@ -215,7 +189,6 @@ json to_json(const SettledBed& bed);
 json to_json(const ContactRate& rate);
 // The tables, at most this wide; empty without measurements.
 std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& runs, size_t width);
-std::string costs_text(const std::vector<SumsCost>& costs, size_t width);
 std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds, size_t width);
 std::string steps_text(const std::vector<GasSteps>& steps, size_t width);
 std::string rates_text(const ContactPlan& plan, const std::vector<ContactRate>& rates, size_t width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of `spherepair contacts` on errors, sums and whole steps.
+// The tables of `spherepair contacts` on errors and whole steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,11 +22,10 @@ double largest(const std::array<int64_t, 3>& momentum) {
   return std::max({std::abs(double(momentum[0])), std::abs(double(momentum[1])), std::abs(double(momentum[2]))});
 }
 
-// The table of one law: a row per time step and sum, the largest error of all backends, and each backend's time.
+// The table of one law: a row per time step, the largest error of all backends, and each backend's time.
 Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
   Table table{fmt::format("Contacts by {}: error of a run, and its time", label(kind)),
               {{"steps a", "contact", ""},
-               {"", "sums", "", true},
                {"error of", "position", "radii"},
                {"error of", "energy", ""},
                {"change of", "momentum", "units"},
@@ -37,7 +36,7 @@ Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
   for (const std::string& backend : backends) table.columns.push_back({"time", backend, "ms"});
   for (const ContactRun& first : runs) {
     const auto belongs = [&](const ContactRun& run) {
-      return run.kind == kind && run.steps_a_contact == first.steps_a_contact && run.sums == first.sums;
+      return run.kind == kind && run.steps_a_contact == first.steps_a_contact;
     };
     if (!belongs(first) || &first != &*std::ranges::find_if(runs, belongs)) continue;
     double position = 0, energy = 0, momentum = 0;
@@ -51,29 +50,13 @@ Table run_table(const std::vector<ContactRun>& runs, const ContactKind& kind) {
       times[size_t(std::ranges::find(backends, run.backend) - backends.begin())] =
           run.samples ? time_cell(*run.samples, in_ms * double(run.steps)) : "-";
     }
-    table.rows.push_back({std::to_string(first.steps_a_contact), impulse_sums_name(first.sums),
-                          fmt::format("{:.2e}", position), fmt::format("{:.1e}", energy),
-                          fmt::format("{:.3g}", momentum),
+    table.rows.push_back({std::to_string(first.steps_a_contact), fmt::format("{:.2e}", position),
+                          fmt::format("{:.1e}", energy), fmt::format("{:.3g}", momentum),
                           !first.returns ? "-"
                           : returns      ? "yes"
                                          : "no"});
     table.rows.back().insert(table.rows.back().end(), times.begin(), times.end());
   }
-  return table;
-}
-
-Table cost_table(const std::vector<SumsCost>& costs) {
-  Table table{"Time of a step of the scene gas, by how impulses are summed",
-              {{"", "spheres", ""},
-               {"", "backend", "", true},
-               {"", "sums", "", true},
-               {"time", "median", "ms"},
-               {"", "integers over this", "", true}},
-              {},
-              {}};
-  for (const SumsCost& cost : costs)
-    table.rows.push_back({std::to_string(cost.n), cost.backend, impulse_sums_name(cost.sums), time_cell(cost.samples),
-                          cost.integers ? ratio_text(*cost.integers) : ""});
   return table;
 }
 
@@ -123,15 +106,10 @@ std::string runs_text(const ContactPlan& plan, const std::vector<ContactRun>& ru
   for (const ContactKind& kind : plan.kinds) text += run_table(runs, kind).text(width) + "\n";
   return text +
          wrapped(fmt::format("{} of a gas without its box, for {} mean times between a sphere's collisions, against a "
-                             "run of {} steps a contact. Returns: as many steps back come to the first bits. Bits of "
-                             "two backends differ only where sums are by atomics.",
+                             "run of {} steps a contact. Returns: as many steps back come to the first bits.",
                              counted(plan.n, "sphere"), plan.collisions, plan.converged),
                  "* ", "  ", width) +
          "\n\n";
-}
-
-std::string costs_text(const std::vector<SumsCost>& costs, size_t width) {
-  return costs.empty() ? "" : cost_table(costs).text(width);
 }
 
 std::string beds_text(const RestPlan& plan, const std::vector<SettledBed>& beds, size_t width) {

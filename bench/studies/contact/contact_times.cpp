@@ -11,11 +11,9 @@
 namespace spherepair {
 namespace {
 
-constexpr uint64_t steps_compared = 100;  // before the costs are timed
+constexpr uint64_t steps_compared = 100;  // before steps are timed
 
-std::function<void(Backend&)> step_by(ImpulseSums sums) {
-  return [sums](Motion& motion) { motion.sum_impulses(sums), motion.move(); };
-}
+void move(Motion& motion) { motion.move(); }
 
 Scene gas_scene(const ContactPlan& plan, uint64_t n) {
   Scene scene = make_scene({.name = "gas", .n = n, .seed = plan.seed, .packing_fraction = plan.packing_fraction});
@@ -23,13 +21,13 @@ Scene gas_scene(const ContactPlan& plan, uint64_t n) {
   return scene;
 }
 
-// Checks that all backends give the same bits. Not for sums that depend on the order of atomics.
-void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends, ImpulseSums sums) {
+// Checks that all backends give the same bits.
+void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends) {
   const SceneOptions options{.name = "gas", .n = scene.size()};
   std::optional<Motion::State> expected;
   for (Backend* backend : backends) {
     backend->upload(scene);
-    for (uint64_t step = 0; step < steps_compared; ++step) step_by(sums)(*backend);
+    for (uint64_t step = 0; step < steps_compared; ++step) backend->move();
     Motion::State state = current_state(*backend);
     if (!expected) {
       expected = std::move(state);
@@ -39,19 +37,6 @@ void compare_states(Session& session, const Scene& scene, const std::vector<Back
     require_same_state(session, {options, steps_compared}, *backends.front(), *expected, *backend, state);
   }
   session.comparisons.require_complete();
-}
-
-std::vector<SumsCost> costs_of(std::vector<Samples> samples, const std::vector<ImpulseSums>& sums, uint64_t n) {
-  std::vector<SumsCost> costs;
-  for (size_t k = 0; k < samples.size(); ++k) {
-    SumsCost cost{samples[k].backend, n, sums[k], samples[k], std::nullopt};
-    if (sums[k] != ImpulseSums::integers)
-      for (size_t i = 0; i < samples.size(); ++i)
-        if (sums[i] == ImpulseSums::integers && samples[i].backend == cost.backend)
-          cost.integers = contest(samples[i], samples[k]);
-    costs.push_back(std::move(cost));
-  }
-  return costs;
 }
 
 }  // namespace
@@ -93,9 +78,9 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
       for (ContactRun& run : runs) {
         if (run.kind != kind || run.steps_a_contact != fine) continue;
         timed.push_back(&run);
-        contenders.push_back({.label = fmt::format("{}, {}", name, impulse_sums_name(run.sums)),
+        contenders.push_back({.label = name,
                               .backend = session.find(run.backend),
-                              .step = step_by(run.sums),
+                              .step = move,
                               .contest = name,
                               .alternates = true,
                               .restart = [&scene](Backend& backend) { backend.upload(scene); },
@@ -103,7 +88,6 @@ void time_contact_runs(Session& session, const ContactPlan& plan, std::vector<Co
       }
       std::vector<Samples> samples = measure(session, contenders, plan.sampling, progress);
       for (size_t k = 0; k < timed.size(); ++k) timed[k]->samples = std::move(samples[k]);
-      for (const auto& backend : session.backends()) backend->sum_impulses(ImpulseSums::integers);
     }
 }
 
@@ -116,17 +100,16 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
     const Scene scene = gas_scene(plan, n);
     const std::vector<Backend*> backends = backends_for(session, plan, n, left_out);
     progress.say(fmt::format("comparing {}", counted(n, "sphere")));
-    compare_states(session, scene, backends, ImpulseSums::integers);
-    const auto step = step_by(ImpulseSums::integers);
+    compare_states(session, scene, backends);
     const auto all_steps = [&](Backend& backend, uint64_t times) {
-      for (uint64_t k = 0; k < times * plan.steps_averaged; ++k) step(backend);
+      for (uint64_t k = 0; k < times * plan.steps_averaged; ++k) backend.move();
     };
     std::vector<Contender> contenders;
     for (Backend* backend : backends)
       contenders.push_back({.label = fmt::format("{} steps of {} on {}", plan.steps_averaged, counted(n, "sphere"),
                                                  backend->info().name),
                             .backend = backend,
-                            .step = step,
+                            .step = move,
                             .contest = fmt::format("steps of {}", n),
                             .steps = all_steps,
                             .alternates = true,
@@ -145,37 +128,6 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
   return all;
 }
 
-// The spheres move on from batch to batch: a gas in its box does not change as a whole.
-std::vector<SumsCost> measure_sums(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
-                                   Progress& progress) {
-  std::vector<SumsCost> all;
-  for (const uint64_t n : plan.cost_sizes) {
-    const Scene scene = gas_scene(plan, n);
-    const std::vector<Backend*> backends = backends_for(session, plan, n, left_out);
-    progress.say(fmt::format("comparing {}", counted(n, "sphere")));
-    for (const ImpulseSums one : {ImpulseSums::integers, ImpulseSums::in_order})
-      compare_states(session, scene, backends, one);
-    std::vector<Contender> contenders;
-    std::vector<ImpulseSums> sums;
-    for (Backend* backend : backends)
-      for (const ImpulseSums one : all_impulse_sums()) {
-        if (!use_sums(*backend, one, left_out)) continue;
-        sums.push_back(one);
-        contenders.push_back({.label = fmt::format("{} of {}", impulse_sums_name(one), counted(n, "sphere")),
-                              .backend = backend,
-                              .step = step_by(one),
-                              .contest = fmt::format("sums of {}", n),
-                              .alternates = true,
-                              .batch = on_hardware(*backend) ? plan.cost_steps : 0,
-                              .prepares = true});
-      }
-    for (SumsCost& cost : costs_of(measure(session, contenders, plan.sampling, progress), sums, n))
-      all.push_back(std::move(cost));
-    for (Backend* backend : backends) backend->sum_impulses(ImpulseSums::integers);
-  }
-  return all;
-}
-
 std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps) {
   std::vector<Target> targets;
   for (const GasSteps& one : steps) {
@@ -187,25 +139,6 @@ std::vector<Target> steps_targets(const Session& session, const std::vector<GasS
       targets.push_back({what + "sphere-steps/s", one.per_second(), 1e10, true});
   }
   return targets;
-}
-
-std::vector<Target> sums_targets(const Session& session, const std::vector<SumsCost>& costs) {
-  std::vector<Target> targets;
-  for (const SumsCost& cost : costs)
-    if (cost.sums == ImpulseSums::in_order && on_hardware(*session.find(cost.backend)))
-      targets.push_back(
-          {fmt::format("{}, {}: integer sums over sums in order", cost.backend, counted(cost.n, "sphere")),
-           cost.integers->ratio, 1.10, false});
-  return targets;
-}
-
-json to_json(const SumsCost& cost) {
-  json out = time_of_a_step(cost.samples);
-  out.update({{"backend", cost.backend},
-              {"n", cost.n},
-              {"sums", impulse_sums_name(cost.sums)},
-              {"integers_over_this", ratio_of(cost.integers)}});
-  return out;
 }
 
 json to_json(const GasSteps& steps) {

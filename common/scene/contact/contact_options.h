@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <string>
 
 #include "common/shared/layout.h"
@@ -19,15 +18,6 @@ enum class ContactLaw : uint {
 };
 const char* contact_name(ContactLaw law);
 ContactLaw contact_from_name(const std::string& name);  // throws std::invalid_argument with the known names
-
-// How the impulses on a sphere are added up. Integers need no order; the others exist to be measured against them.
-enum class ImpulseSums {
-  integers,  // each rounded, then added by atomics
-  in_order,  // float32, gathered by ascending index of the other sphere, rounded once
-  atomics    // float32 by atomics, in any order, rounded once: bits differ from run to run
-};
-const char* impulse_sums_name(ImpulseSums sums);
-std::span<const ImpulseSums> all_impulse_sums();
 
 // Opposite corners, in metres.
 struct WallBox {

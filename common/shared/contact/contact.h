@@ -129,14 +129,6 @@ FN Push rounded_push(FloatPush push) {
 }
 FN Push push_of_pair(Body a, Body b, ContactParams c) { return rounded_push(float_push_of_pair(a, b, c)); }
 
-FN FloatPush sum_of_pushes(FloatPush a, FloatPush b) {
-  EXACT float x = a.x + b.x;
-  EXACT float y = a.y + b.y;
-  EXACT float z = a.z + b.z;
-  FloatPush sum = {x, y, z, a.fault < b.fault ? a.fault : b.fault};
-  return sum;
-}
-
 // Returns the impulse of a wall at this distance, away from the wall; -1 if the centre is behind it.
 FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius, ContactParams c) {
   if (distance <= 0l) return -1l;

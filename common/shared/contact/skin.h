@@ -8,13 +8,12 @@
 #include "common/shared/layout.h"
 
 // Words of SLOT_FAULT after the faults. Steps are launched ahead. Once a sphere has left its skin, later steps do
-// nothing: contact_pairs or contact_gather, during which LEFT_SKIN does not change, sets STOPPED for leapfrog.
-// Otherwise it counts the step as done.
-#define LEFT_SKIN FAULTS           // a sphere that has left its skin, or ~0
-#define STOPPED (FAULTS + 1u)      // not 0: this step does nothing
-#define STEPS_DONE (FAULTS + 2u)   // since near pairs were listed
-#define LONGEST_ROW (FAULTS + 3u)  // length of the longest row, if it has more near pairs than room
-#define FAULT_WORDS (FAULTS + 4u)
+// nothing: contact_pairs, during which LEFT_SKIN does not change, sets STOPPED for leapfrog. Otherwise it counts the
+// step as done.
+#define LEFT_SKIN FAULTS          // a sphere that has left its skin, or ~0
+#define STOPPED (FAULTS + 1u)     // not 0: this step does nothing
+#define STEPS_DONE (FAULTS + 2u)  // since near pairs were listed
+#define FAULT_WORDS (FAULTS + 3u)
 
 FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
   EXACT float thickness = sphere.w * c.skin;
