@@ -6,12 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/ablation_study.h"
-#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -34,18 +32,6 @@ std::string tables_of(const AblationStudy& study, size_t width) {
             "\n";
   for (const std::string& one : study.left_out) text += wrapped(one, "* left out: ", "  ", width) + "\n";
   return text + "* What each option does: spherepair ablate --help\n";
-}
-
-json to_json(const AblationSeconds& spent) {
-  return {{"opening", spent.opening},
-          {"uploading", spent.uploading},
-          {"checking", spent.checking},
-          {"timing", spent.timing}};
-}
-
-std::string spent_text(const AblationSeconds& spent) {
-  return fmt::format("Seconds: timing {:.1f}, checking {:.1f}, scenes and uploads {:.1f}, opening {:.1f}", spent.timing,
-                     spent.checking, spent.uploading, spent.opening);
 }
 
 void check_names(const std::vector<std::string>& names) {
@@ -71,37 +57,17 @@ void require_offered(const std::vector<std::string>& names, const Session& sessi
 
 int ablate_command(const CommandLine& line, const AblateOptions& options) {
   check_names(options.names);
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("ablate"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  require_offered(options.names, session);
-  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
+  StudyRun run(line, "ablate", options.results, options.backends);
+  require_offered(options.names, run.session());
   std::vector<uint64_t> sizes = options.sizes;
-  if (sizes.empty()) sizes = hardware ? std::vector<uint64_t>{16384, 1000000} : std::vector<uint64_t>{16384};
-  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
-  json record = {{"complete", false},
-                 {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},
-                 {"clocks", json::array({query_clocks()})}};
-  std::optional<AblationStudy> study;
-  const auto write = [&] {
-    record["spent_s"] = to_json(study->spent);
-    record["warnings"] = load.warnings(session);
-    record["left_out"] = study->left_out;
-    record["measurements"] = study->measurements;
-    write_file(folder / "ablate.json", json_text(record));
-  };
-  study.emplace(session, line.open, options, write);
-  study->run(sizes);
-  record["complete"] = true;
-  record["clocks"].push_back(query_clocks());
-  write();
-  const auto page = [&](size_t width) {
-    return tables_of(*study, width) + load.text(session) + spent_text(study->spent) + "\n";
-  };
-  report_page(folder, "ablate", page, study->measurements);
-  fmt::print("Results: {}\n", (folder / "ablate.json").string());
-  return kOk;
+  if (sizes.empty()) sizes = run.hardware() ? std::vector<uint64_t>{16384, 1000000} : std::vector<uint64_t>{16384};
+  AblationStudy study(run.session(), line.open, options, [&] {
+    run.record["left_out"] = study.left_out;
+    run.record["measurements"] = study.measurements;
+    run.write();
+  });
+  study.run(sizes);
+  return run.finish([&](size_t width) { return tables_of(study, width); }, study.measurements);
 }
 
 std::shared_ptr<AblateOptions> add_ablate_options(CLI::App& command) {

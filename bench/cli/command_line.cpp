@@ -5,7 +5,6 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/studies.h"
-#include "bench/cli/view.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/io/interruption.h"

@@ -65,6 +65,18 @@ int render_command(const CommandLine& line, const RenderOptions& options);
 void check_render_options(const RenderOptions& options);
 void check_render_files(const RenderOptions& options, uint64_t images);
 
+struct ViewOptions {
+  std::string backend, method;  // at the start
+  StartOptions start;
+  uint width = 1280, height = 720;  // of the window, pixels
+  std::optional<double> speed;      // see Viewer::Options; none: 1, or 0 with `frames`
+  uint64_t frames = 0;              // the window closes after them; 0: never
+  std::string screenshot_file;      // of the last frame
+  std::string keys;                 // one key press per frame, as if by the user
+};
+void add_view(CLI::App& app, CommandLine& line, Action& action);
+int view_command(const CommandLine& line, const ViewOptions& options);
+
 struct FramesOptions;  // frames.h
 void add_frames(CLI::App& app, CommandLine& line, Action& action);
 int frames_command(const CommandLine& line, const FramesOptions& options);

@@ -4,15 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bench/cli/studies.h"
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/options/options.h"
-#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -86,64 +83,23 @@ struct MeasuredContacts {
   std::vector<GasSteps> steps;
   std::vector<ContactRate> rates;
   std::vector<SettledBed> beds;
-  std::vector<Target> targets;
   std::vector<std::string> left_out;
 };
 
 std::string tables_of(const ContactPlan& plan, const MeasuredContacts& measured, size_t width) {
   std::string text = runs_text(plan, measured.runs, width) + steps_text(measured.steps, width) +
                      rates_text(plan, measured.rates, width) + beds_text(plan.rest, measured.beds, width);
-  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text(width);
   for (const std::string& reason : measured.left_out) text += wrapped(reason, "* left out: ", "  ", width) + "\n";
   return text;
-}
-
-json start_record(const CommandLine& line, const Session& session, const ContactPlan& plan) {
-  return {{"format", "spherepair contacts 1"},
-          {"context", capture_context(line.words)},
-          {"backends", session.to_json()},
-          {"settings",
-           {{"n", plan.n},
-            {"seed", plan.seed},
-            {"packing_fraction", plan.packing_fraction},
-            {"collisions", plan.collisions},
-            {"converged_steps_a_contact", plan.converged},
-            {"steps_averaged", plan.steps_averaged},
-            {"rates", to_json(plan.rates)},
-            {"rest", to_json(plan.rest)}}},
-          {"clocks", json::array({query_clocks()})}};
-}
-
-void report(const std::filesystem::path& folder, json record, const ContactPlan& plan, const MeasuredContacts& measured,
-            const Session& session, const StudyLoad& load) {
-  record["warnings"] = load.warnings(session);
-  record["contact_runs"] = list_of(measured.runs);
-  record["gas_steps"] = list_of(measured.steps);
-  record["contact_rates"] = list_of(measured.rates);
-  record["beds"] = list_of(measured.beds);
-  record["targets"] = list_of(measured.targets);
-  record["left_out"] = measured.left_out;
-  record["clocks"].push_back(query_clocks());
-  const auto page = [&](size_t width) { return tables_of(plan, measured, width) + load.text(session); };
-  json timed = json::object();
-  for (const char* part : {"contact_runs", "gas_steps", "beds"}) timed[part] = record[part];
-  report_page(folder, "contacts", page, timed);
-  write_file(folder / "contacts.json", json_text(record));
 }
 
 }  // namespace
 
 int contacts_command(const CommandLine& line, const ContactsOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
   make_contact_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("contacts"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
-  const ContactPlan plan = make_contact_plan(options, hardware);
-  fmt::print("spherepair {} ({})\n{}\n", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : load.warnings(session)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
-  const json record = start_record(line, session, plan);
+  StudyRun run(line, "contacts", options.results, options.backends);
+  Session& session = run.session();
+  const ContactPlan plan = make_contact_plan(options, run.hardware());
   Progress progress;
   MeasuredContacts measured;
   if (wanted(options, "errors")) {
@@ -153,13 +109,24 @@ int contacts_command(const CommandLine& line, const ContactsOptions& options) {
   if (wanted(options, "steps")) measured.steps = measure_gas_steps(session, plan, measured.left_out, progress);
   if (wanted(options, "rates")) measured.rates = measure_rates(session, plan, progress);
   if (wanted(options, "rest")) measured.beds = measure_rest(session, plan, measured.left_out, progress);
-  measured.targets = steps_targets(session, measured.steps);
-  std::ranges::copy(rest_targets(session, measured.beds), std::back_inserter(measured.targets));
   progress.clear();
-  report(folder, record, plan, measured, session, load);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "contacts.json").string());
-  return kOk;
+  json timed = {{"contact_runs", list_of(measured.runs)},
+                {"gas_steps", list_of(measured.steps)},
+                {"beds", list_of(measured.beds)}};
+  run.record.update({{"format", "spherepair contacts 1"},
+                     {"settings",
+                      {{"n", plan.n},
+                       {"seed", plan.seed},
+                       {"packing_fraction", plan.packing_fraction},
+                       {"collisions", plan.collisions},
+                       {"converged_steps_a_contact", plan.converged},
+                       {"steps_averaged", plan.steps_averaged},
+                       {"rates", to_json(plan.rates)},
+                       {"rest", to_json(plan.rest)}}},
+                     {"contact_rates", list_of(measured.rates)},
+                     {"left_out", measured.left_out}});
+  run.record.update(timed);
+  return run.finish([&](size_t width) { return tables_of(plan, measured, width); }, timed);
 }
 
 std::shared_ptr<ContactsOptions> add_contacts_options(CLI::App& command) {

@@ -6,12 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/options/options.h"
 #include "bench/studies/crossover_sweep.h"
-#include "bench/studies/study_report.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -128,38 +126,21 @@ std::vector<SphereKind> chosen_kinds(const std::vector<std::string>& names) {
 
 int crossover_command(const CommandLine& line, const CrossoverOptions& options) {
   const std::vector<SphereKind> chosen = chosen_kinds(options.kinds);
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("crossover"));
   std::vector<uint64_t> sizes = options.sizes;
   for (uint64_t n = 64; options.sizes.empty() && n <= 1 << 15; n *= 2) sizes.push_back(n);
   std::ranges::sort(sizes);
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  json record = {{"complete", false},
-                 {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},
-                 {"clocks", json::array({query_clocks()})}};
-  std::optional<CrossoverSweep> sweep;
-  const auto write = [&] {
-    record["grid_from"] = faster_from(sweep->timings, &Timing::grid_faster);
-    record["triangle_from"] = faster_from(sweep->timings, &Timing::triangle_fastest);
-    record["auto"] = list_of(sweep->timings);
-    record["warnings"] = load.warnings(session);
-    record["stopped"] = sweep->stopped;
-    record["measurements"] = sweep->measurements;
-    write_file(folder / "crossover.json", json_text(record));
-  };
-  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
-  sweep.emplace(session, options, write);
-  sweep->run(chosen, sizes);
-  record["complete"] = true;
-  record["clocks"].push_back(query_clocks());
-  write();
-  const auto page = [&](size_t width) {
-    return tables_of(*sweep, width) + verdict(sweep->timings, width) + load.text(session);
-  };
-  report_page(folder, "crossover", page, sweep->measurements);
-  fmt::print("Results: {}\n", (folder / "crossover.json").string());
-  return kOk;
+  StudyRun run(line, "crossover", options.results, options.backends);
+  CrossoverSweep sweep(run.session(), options, [&] {
+    run.record["grid_from"] = faster_from(sweep.timings, &Timing::grid_faster);
+    run.record["triangle_from"] = faster_from(sweep.timings, &Timing::triangle_fastest);
+    run.record["auto"] = list_of(sweep.timings);
+    run.record["stopped"] = sweep.stopped;
+    run.record["measurements"] = sweep.measurements;
+    run.write();
+  });
+  sweep.run(chosen, sizes);
+  const auto tables = [&](size_t width) { return tables_of(sweep, width) + verdict(sweep.timings, width); };
+  return run.finish(tables, sweep.measurements);
 }
 
 std::shared_ptr<CrossoverOptions> add_crossover_options(CLI::App& command) {

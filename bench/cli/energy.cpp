@@ -12,11 +12,9 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/cli/studies.h"
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/options/options.h"
-#include "bench/studies/study_report.h"
 
 namespace spherepair {
 namespace {
@@ -52,29 +50,13 @@ std::string table_of(const json& measurements, size_t width) {
 
 int energy_command(const CommandLine& line, const EnergyOptions& options) {
   for (const std::string& work : options.works) require_known("work", work, energy_works());
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("energy"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  json record = {{"complete", false},
-                 {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},
-                 {"clocks", json::array({query_clocks()})}};
-  std::optional<EnergyStudy> study;
-  const auto write = [&] {
-    record["warnings"] = load.warnings(session);
-    record["measurements"] = study->measurements;
-    write_file(folder / "energy.json", json_text(record));
-  };
-  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
-  study.emplace(session, options, write);
-  study->run();
-  record["complete"] = true;
-  record["clocks"].push_back(query_clocks());
-  write();
-  const auto page = [&](size_t width) { return table_of(study->measurements, width) + load.text(session); };
-  report_page(folder, "energy", page, study->measurements);
-  fmt::print("Results: {}\n", (folder / "energy.json").string());
-  return kOk;
+  StudyRun run(line, "energy", options.results, options.backends);
+  EnergyStudy study(run.session(), options, [&] {
+    run.record["measurements"] = study.measurements;
+    run.write();
+  });
+  study.run();
+  return run.finish([&](size_t width) { return table_of(study.measurements, width); }, study.measurements);
 }
 
 std::shared_ptr<EnergyOptions> add_energy_options(CLI::App& command) {

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "bench/cli/commands.h"
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/studies/frames_study.h"
-#include "bench/studies/study_report.h"
 #include "bench/viewer/window.h"
 
 namespace spherepair {
@@ -18,50 +17,39 @@ int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& work : options.works)
     require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
   most_by_draw(options.most);
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("frames"));
-  const StudyLoad load(line.clocks);
   std::unique_ptr<Window> window;
-  OpenOptions open = line.open;
+  CommandLine opened = line;
   if (options.window) {
     window = open_window("spherepair frames", options.width, options.height, true);
-    open.window = &window->context();
+    opened.open.window = &window->context();
   }
-  Session session(options.backends, open, line.opener);
-  fmt::print("{}\n", session.summary());
-  for (const std::string& warning : load.warnings(session)) fmt::print("{}\n", wrapped(warning, "* ", "  "));
-  json record = {{"format", "spherepair frames 1"}, {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},   {"width", options.width},
-                 {"height", options.height},        {"packing_fraction", options.packing_fraction},
-                 {"window", options.window}};
+  StudyRun run(opened, "frames", options.results, options.backends);
+  run.record.update({{"format", "spherepair frames 1"},
+                     {"width", options.width},
+                     {"height", options.height},
+                     {"packing_fraction", options.packing_fraction},
+                     {"window", options.window}});
   const auto show = [&](Drawing& drawing) {
     if (!window) return;
     window->next(Present::never);
     if (!drawing.show(window->texture(options.width, options.height))) window->upload(drawing.image());
     window->show();
   };
-  FramesStudy study(session, options, show);
-  std::vector<uint64_t> measured;
-  const auto page = [&](size_t width) {
-    std::string text;
-    for (const uint64_t n : measured) text += study.text_of(n, width) + "\n";
-    return text + load.text(session);
-  };
+  FramesStudy study(run.session(), options, show);
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
-    measured.push_back(n);
-    fmt::print("{}\n", study.text_of(n, kTextWidth));
-    std::fflush(stdout);
-    record["clocks"].push_back(query_clocks());
-    record["warnings"] = load.warnings(session);
-    record["frames"] = study.frames;
-    record["left_out"] = study.left_out;
-    if (options.transfer) record["overlaps"] = study.overlaps;
-    write_file(folder / "frames.json", json_text(record));
-    write_page(folder, "frames", page, samples_csv(study.frames));
+    run.record["clocks"].push_back(query_clocks());
+    run.record["frames"] = study.frames;
+    run.record["left_out"] = study.left_out;
+    if (options.transfer) run.record["overlaps"] = study.overlaps;
+    run.write();
   }
-  fmt::print("{}", load.text(session));
-  fmt::print("Results: {}\n", (folder / "frames.json").string());
-  return kOk;
+  const auto tables = [&](size_t width) {
+    std::string text;
+    for (const uint64_t n : options.sizes) text += study.text_of(n, width) + "\n";
+    return text;
+  };
+  return run.finish(tables, study.frames);
 }
 
 }  // namespace spherepair

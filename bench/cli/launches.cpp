@@ -14,10 +14,8 @@
 #include <algorithm>
 
 #include "bench/cli/studies.h"
-#include "bench/formats/files.h"
-#include "bench/io/context.h"
+#include "bench/cli/study_run.h"
 #include "bench/options/options.h"
-#include "bench/studies/study_report.h"
 
 namespace spherepair {
 namespace {
@@ -58,12 +56,6 @@ std::string tables_of(const LaunchStudy& study, size_t width) {
          "* What each path is: spherepair launches --help\n";
 }
 
-std::vector<uint64_t> sizes_of_launches(const Session& session) {
-  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
-  if (!hardware) return {64, 256, 1024};
-  return {64, 256, 1024, 4096, 16384, 65536};
-}
-
 void require_device(const Session& session) {
   if (session.devices().empty())
     throw BackendError("launches times those of a GPU API, and none of opengl, cuda and vulkan is open:\n" +
@@ -73,31 +65,18 @@ void require_device(const Session& session) {
 }  // namespace
 
 int launches_command(const CommandLine& line, const LaunchesOptions& options) {
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("launches"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  require_device(session);
-  for (const std::string& warning : load.warnings(session)) fmt::print(stderr, "{}\n", warning);
-  json record = {{"complete", false},
-                 {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},
-                 {"clocks", json::array({query_clocks()})}};
-  std::optional<LaunchStudy> study;
-  const auto write = [&] {
-    record["warnings"] = load.warnings(session);
-    record["left_out"] = study->left_out;
-    record["measurements"] = study->measurements;
-    write_file(folder / "launches.json", json_text(record));
-  };
-  study.emplace(session, options, write);
-  study->run(options.sizes.empty() ? sizes_of_launches(session) : options.sizes);
-  record["complete"] = true;
-  record["clocks"].push_back(query_clocks());
-  write();
-  const auto page = [&](size_t width) { return tables_of(*study, width) + load.text(session); };
-  report_page(folder, "launches", page, study->measurements);
-  fmt::print("Results: {}\n", (folder / "launches.json").string());
-  return kOk;
+  StudyRun run(line, "launches", options.results, options.backends);
+  require_device(run.session());
+  std::vector<uint64_t> sizes = options.sizes;
+  if (sizes.empty()) sizes = {64, 256, 1024};
+  if (options.sizes.empty() && run.hardware()) sizes.insert(sizes.end(), {4096, 16384, 65536});
+  LaunchStudy study(run.session(), options, [&] {
+    run.record["left_out"] = study.left_out;
+    run.record["measurements"] = study.measurements;
+    run.write();
+  });
+  study.run(sizes);
+  return run.finish([&](size_t width) { return tables_of(study, width); }, study.measurements);
 }
 
 std::shared_ptr<LaunchesOptions> add_launches_options(CLI::App& command) {

@@ -4,19 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "bench/cli/commands.h"
 #include "bench/cli/studies.h"
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
-#include "bench/studies/motion_targets.h"
-#include "bench/studies/study_report.h"
 #include "bench/studies/study_sampling.h"
+#include "bench/studies/work_precision.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -83,24 +79,10 @@ Table time_table(const PrecisionPlan& plan, const std::vector<TimeEntry>& times,
   return table;
 }
 
-json start_record(const CommandLine& line, const Session& session, const PrecisionPlan& plan) {
-  return {{"format", "spherepair precision 1"},
-          {"context", capture_context(line.words)},
-          {"backends", session.to_json()},
-          {"settings",
-           {{"seconds", plan.seconds},
-            {"error_n", plan.error_n},
-            {"time_n", plan.time_n},
-            {"seed", plan.seed},
-            {"restitution", 1}}},
-          {"clocks", json::array({query_clocks()})}};
-}
-
 struct Measured {
   std::vector<ErrorEntry> errors;
   std::vector<TimeEntry> times;
   std::vector<CopyEntry> copies;
-  std::vector<Target> targets;
 };
 
 std::string tables_of(const PrecisionPlan& plan, const Measured& measured, size_t width) {
@@ -109,48 +91,32 @@ std::string tables_of(const PrecisionPlan& plan, const Measured& measured, size_
   for (const CopyEntry& copy : measured.copies)
     text += fmt::format("\nCopying the positions of {} on {}: {:.4g} GB/s read and written\n",
                         counted(copy.n, "sphere"), copy.backend, copy.bytes_per_second() / 1e9);
-  if (!measured.targets.empty()) text += "\n" + target_table(measured.targets).text(width);
   return text;
-}
-
-// Writes the JSON, the tables and the samples, and prints the tables.
-void report(const std::filesystem::path& folder, json record, const PrecisionPlan& plan, const Measured& measured,
-            const Session& session, const StudyLoad& load) {
-  record["warnings"] = load.warnings(session);
-  record["errors"] = list_of(measured.errors);
-  record["times"] = list_of(measured.times);
-  record["copies"] = list_of(measured.copies);
-  record["targets"] = list_of(measured.targets);
-  record["clocks"].push_back(query_clocks());
-  const auto page = [&](size_t width) { return tables_of(plan, measured, width) + load.text(session); };
-  report_page(folder, "precision", page, {{"times", record["times"]}, {"copies", record["copies"]}});
-  write_file(folder / "precision.json", json_text(record));
 }
 
 }  // namespace
 
 int precision_command(const CommandLine& line, const PrecisionOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
   make_precision_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("precision"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  const bool hardware = std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); });
-  const PrecisionPlan plan = make_precision_plan(options, hardware);
-  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
-  const json record = start_record(line, session, plan);
+  StudyRun run(line, "precision", options.results, options.backends);
+  const PrecisionPlan plan = make_precision_plan(options, run.hardware());
   Progress progress;
-  Measured measured = {measure_errors(session, plan, progress),
-                       measure_times(session, plan, progress),
-                       measure_copies(session, plan, progress),
-                       {}};
-  measured.targets = motion_targets(session, measured.errors, measured.times, measured.copies);
+  const Measured measured = {measure_errors(run.session(), plan, progress),
+                             measure_times(run.session(), plan, progress),
+                             measure_copies(run.session(), plan, progress)};
   progress.clear();
-  report(folder, record, plan, measured, session, load);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "precision.json").string());
-  return kOk;
+  run.record.update({{"format", "spherepair precision 1"},
+                     {"settings",
+                      {{"seconds", plan.seconds},
+                       {"error_n", plan.error_n},
+                       {"time_n", plan.time_n},
+                       {"seed", plan.seed},
+                       {"restitution", 1}}},
+                     {"errors", list_of(measured.errors)},
+                     {"times", list_of(measured.times)},
+                     {"copies", list_of(measured.copies)}});
+  return run.finish([&](size_t width) { return tables_of(plan, measured, width); },
+                    {{"times", run.record["times"]}, {"copies", run.record["copies"]}});
 }
 
 std::shared_ptr<PrecisionOptions> add_precision_options(CLI::App& command) {

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 
 #include "bench/cli/studies.h"
-#include "bench/formats/files.h"
+#include "bench/cli/study_run.h"
 #include "bench/io/arguments.h"
-#include "bench/io/context.h"
 #include "bench/io/motion_choice.h"
 #include "bench/options/options.h"
 #include "bench/studies/set_errors.h"
-#include "bench/studies/study_report.h"
 #include "bench/studies/study_sampling.h"
 
 namespace spherepair {
@@ -121,16 +118,10 @@ Table contact_table(const std::vector<ContactEntry>& entries) {
 }  // namespace
 
 int sets_command(const CommandLine& line, const SetsOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
   make_set_plan(options, false);  // throws for bad values before any work
-  const std::filesystem::path folder = prepare_results(options.results, files_of_study("sets"));
-  const StudyLoad load(line.clocks);
-  Session session(options.backends, line.open, line.opener);
-  const SetPlan plan =
-      make_set_plan(options, std::ranges::any_of(session.backends(), [](const auto& b) { return on_hardware(*b); }));
-  fmt::print("spherepair {} ({})\n{}", build_info.version, build_info.commit, session.summary());
-  for (const std::string& warning : load.warnings(session)) fmt::print("\n{}\n", wrapped(warning, "* ", "  "));
-  const json before = query_clocks();
+  StudyRun run(line, "sets", options.results, options.backends);
+  Session& session = run.session();
+  const SetPlan plan = make_set_plan(options, run.hardware());
   Progress progress;
   const auto motion = measure_motion_sets(session, plan, progress);
   const auto storage = measure_storage(plan, progress);
@@ -139,24 +130,14 @@ int sets_command(const CommandLine& line, const SetsOptions& options) {
   progress.clear();
   const std::vector<Table> tables = {motion_table(plan, motion), storage_table(storage), naive_table(naive),
                                      contact_table(contacts)};
-  const auto page = [&](size_t width) { return text_of(tables, width) + load.text(session); };
-  report_page(folder, "sets", page, list_of(naive));
-  write_file(
-      folder / "sets.json",
-      json_text({{"format", "spherepair sets 1"},
-                 {"context", capture_context(line.words)},
-                 {"backends", session.to_json()},
-                 {"warnings", load.warnings(session)},
-                 {"clocks", {before, query_clocks()}},
-                 {"settings",
-                  {{"n", plan.n}, {"seconds", plan.seconds}, {"seed", plan.seed}, {"restitution", 1}, {"speed", 1}}},
-                 {"motion", list_of(motion)},
-                 {"storage", list_of(storage)},
-                 {"exactness", list_of(naive)},
-                 {"contacts", list_of(contacts)}}));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  fmt::print("\nIn {:.0f} s. Results: {}\n", taken.count(), (folder / "sets.json").string());
-  return kOk;
+  run.record.update(
+      {{"format", "spherepair sets 1"},
+       {"settings", {{"n", plan.n}, {"seconds", plan.seconds}, {"seed", plan.seed}, {"restitution", 1}, {"speed", 1}}},
+       {"motion", list_of(motion)},
+       {"storage", list_of(storage)},
+       {"exactness", list_of(naive)},
+       {"contacts", list_of(contacts)}});
+  return run.finish([&](size_t width) { return text_of(tables, width); }, list_of(naive));
 }
 
 std::shared_ptr<SetsOptions> add_sets_options(CLI::App& command) {

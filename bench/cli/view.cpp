@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // spherepair view
-#include "bench/cli/view.h"
-
 #include <fmt/format.h>
 
+#include "bench/cli/commands.h"
 #include "bench/formats/png_file.h"
 #include "bench/io/arguments.h"
 #include "bench/measure/choice.h"
@@ -86,7 +85,7 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   return kOk;
 }
 
-void add_view(CLI::App& app, CommandLine& line, std::function<int()>& action) {
+void add_view(CLI::App& app, CommandLine& line, Action& action) {
   auto* command = app.add_subcommand("view", "Show moving spheres in a window; backend and method can be changed");
   auto options = std::make_shared<ViewOptions>();
   add_start_options(*command, options->start);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "api/open.h"
 #include "bench/io/scene_text.h"
@@ -20,16 +19,6 @@ constexpr uint64_t drifting_steps = 64;                  // in these each sphere
 constexpr int moves_checked = 40, pushes_checked = 200;  // enough for several lists of near pairs
 
 bool only_moves(AblationWork work) { return work != AblationWork::collide && work != AblationWork::copy; }
-
-template <typename Work>
-auto spending(double& seconds, Work work) {
-  struct Watch {
-    double& seconds;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    ~Watch() { seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
-  } watch{seconds};
-  return work();
-}
 
 }  // namespace
 
@@ -82,7 +71,7 @@ void AblationStudy::hold(Backend& backend, Spheres kind) {
   const auto held = holding_.find(&backend);
   if (held != holding_.end() && held->second == kind) return;
   holding_.erase(&backend);
-  spending(spent.uploading, [&] { start(backend, kind, scene(kind)); });
+  start(backend, kind, scene(kind));
   holding_[&backend] = kind;
 }
 
@@ -97,7 +86,7 @@ const StepResult& AblationStudy::expected(Spheres kind) {
   if (found != expected_.end()) return found->second;
   const Configuration configuration = reference();
   hold(*configuration.backend, kind);
-  return expected_[kind] = spending(spent.checking, [&] { return run_step(session_, configuration, false); });
+  return expected_[kind] = run_step(session_, configuration, false);
 }
 
 void AblationStudy::check(const Case& which) {
@@ -105,8 +94,7 @@ void AblationStudy::check(const Case& which) {
   if (only_moves(which.ablation->work)) return check_moves(which);
   hold(*which.on, which.ablation->spheres);
   holding_.erase(which.on);  // copying overwrites the spheres
-  spending(spent.checking,
-           [&] { peak_rates_of(*which.on).check(PeakRate::copy), peak_rates_of(*which.on).check(PeakRate::words); });
+  for (const PeakRate rate : {PeakRate::copy, PeakRate::words}) peak_rates_of(*which.on).check(rate);
 }
 
 // Checks that on and off find the reference's set; up to brute_force_up_to spheres the reference uses no grid.
@@ -116,8 +104,7 @@ void AblationStudy::check_sets(const Case& which) {
   for (const Configuration& configuration :
        {Configuration{which.on, which.ablation->on}, Configuration{which.off, which.ablation->off}}) {
     hold(*configuration.backend, kind);
-    const StepResult found =
-        spending(spent.checking, [&] { return run_step(session_, configuration, configuration.options.want_pairs); });
+    const StepResult found = run_step(session_, configuration, configuration.options.want_pairs);
     if (!same_result(reference_result, found))
       hold(*reference().backend, kind);  // require_equal lists its pairs to name the one that differs
     require_equal(session_, {scene_options_, 0}, reference(), reference_result, configuration, found);
@@ -136,11 +123,9 @@ void AblationStudy::check_moves(const Case& which) {
     return current_state(backend);
   };
   const Motion::State reference_state = moved(*reference().backend, true);
-  spending(spent.checking, [&] {
-    for (const bool on : {false, true})
-      require_same_state(session_, {options, uint64_t(moves)}, *reference().backend, reference_state, *which.on,
-                         moved(*which.on, on));
-  });
+  for (const bool on : {false, true})
+    require_same_state(session_, {options, uint64_t(moves)}, *reference().backend, reference_state, *which.on,
+                       moved(*which.on, on));
 }
 
 // Runs a case. Opens a second backend if on and off need one each. Leaves out a feature that the device lacks, with the
@@ -153,7 +138,7 @@ void AblationStudy::run(Case which) {
   if (ablation.open_off || ablation.spheres == Spheres::drifting) {
     OpenOptions open = open_;
     if (ablation.open_off) open.*ablation.open_off = false;
-    other = spending(spent.opening, [&] { return open_backend(which.on->info().name, open); });
+    other = open_backend(which.on->info().name, open);
     which.off = other.get();
     holding_.erase(which.off);  // an earlier backend may have had this address
   }
@@ -172,7 +157,7 @@ void AblationStudy::run(Case which) {
     left_out.push_back(name + ": " + error.what());
     return;
   }
-  spending(spent.timing, [&] { time(which); });
+  time(which);
 }
 
 // Spheres that move begin each batch where the checked steps began; cells that drifting spheres leave are planned anew.

@@ -16,11 +16,6 @@ struct AblateOptions {
   std::string results;  // folder; empty: a new one
 };
 
-// Host seconds by purpose.
-struct AblationSeconds {
-  double opening = 0, uploading = 0, checking = 0, timing = 0;
-};
-
 class AblationStudy {
  public:
   // Calls `write` after every row, so that an interrupted run keeps its measurements.
@@ -31,7 +26,6 @@ class AblationStudy {
   std::map<uint64_t, std::vector<std::vector<std::string>>> rows;  // of the table for each number of spheres
   json measurements = json::array();
   std::vector<std::string> left_out;
-  AblationSeconds spent;
 
  private:
   struct Case {  // one ablation on one backend, on and off

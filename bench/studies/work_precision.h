@@ -17,7 +17,6 @@
 //      sample                      as to_json(Samples)}
 //   copies     copying positions to velocities on each device, the peak rate of every step:
 //     {backend, n, bytes_per_second, sample}
-//   targets    of a GPU (motion_targets.h): {what, value, bound, met}
 #pragma once
 
 #include "bench/measure/session.h"

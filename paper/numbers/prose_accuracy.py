@@ -38,6 +38,13 @@ def scientific(value):
     return f"${digits} \\cdot 10^{{{int(exponent)}}}$"
 
 
+def bandwidth(record, backend):
+    """Bytes per second of a step of `paper` in float32, in a record of `precision`."""
+    step = next(row for row in record["times"]
+                if (row["method"], row["precision"], row["work"], row["backend"]) == ("paper", "float32", "move", backend))
+    return step["bytes_per_sphere_step"] / step["seconds_per_sphere_step"]
+
+
 def motion_at_scale(put, machine, others):
     """A step of more spheres than fit any cache, and its share of the copy bandwidth."""
     record = machine.source("precision_1e8.json")
@@ -46,9 +53,7 @@ def motion_at_scale(put, machine, others):
         wanted = {"table": "precision", "backend": name, "precision": "float32", "n": record["settings"]["time_n"]}
         rows = {(row.method, row.work): row for row in machine.need(**wanted)}
         paper, anchored = rows["paper", "move"], rows["anchored", "move"]
-        own = next(target["value"] for target in record["targets"] if target["what"].startswith(f"{name}: bandwidth of paper"))
-        copied = next(copy["bytes_per_second"] for copy in record["copies"] if copy["backend"] == name)
-        share = own * copied / copy_rate(machine)
+        share = bandwidth(record, name) / copy_rate(machine)
         for row in (paper, anchored):
             put(f"motion/large/{row.method}/{name}", ms(row.median), row.source, f"ms per step, {name}, {row.method}")
         said(machine, share > 0.9, f"memory bounds the original's motion on {name}")

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "bench/studies/motion_targets.h"
 #include "bench/studies/set_errors.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/motion_runs.h"
@@ -69,34 +68,6 @@ TEST(SetErrors, AccurateMotionFindsTheRightPairs) {
   const auto storage = measure_storage(plan, progress);
   EXPECT_GT(storage[0].error.missed + storage[0].error.extra, 0u);
   EXPECT_EQ(storage[2].error, (SetError{storage[2].error.right, 0, 0}));
-}
-
-ErrorEntry error_entry(MotionMethod method, double rms) {
-  return {{method, Precision::float32}, 5, "cpu", rms, rms, rms, rms, 0};
-}
-Samples samples_of(double seconds) {
-  Samples samples;
-  samples.plan.steps = {1};
-  Turn turn;
-  turn.seconds = {seconds};
-  add_turn(samples, turn, 0);
-  fit_rounds(samples);
-  return samples;
-}
-TimeEntry time_entry(MotionMethod method, double nanoseconds) {
-  return {{method, Precision::float32}, 5, "move", "cpu", 1000, 0.01, samples_of(1e-6 * nanoseconds)};
-}
-
-TEST(SetErrors, TargetsAreOfGpusAlone) {
-  const Session session({"cpu"}, {.threads = 1});
-  const std::vector<ErrorEntry> errors = {error_entry(MotionMethod::paper, 1),
-                                          error_entry(MotionMethod::anchored, 0.1)};
-  const std::vector<TimeEntry> times = {time_entry(MotionMethod::paper, 3), time_entry(MotionMethod::anchored, 1)};
-  const std::vector<CopyEntry> copies = {{"cpu", 1000, samples_of(1e-6)}};
-  EXPECT_TRUE(motion_targets(session, errors, times, copies).empty());
-  EXPECT_TRUE((Target{"", 0.9, 0.85, true}).met());
-  EXPECT_FALSE((Target{"", 0.8, 0.85, true}).met());
-  EXPECT_FALSE((Target{"", 1.06, 1.05, false}).met());
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ namespace {
 
 constexpr uint64_t steps_between_reports = 1000;
 constexpr uint64_t rest_steps_compared = 50;  // from the bed at rest
-constexpr uint64_t fewest_of_target = 1'000'000;
 
 // The number of spheres in whole layers. A layer with holes would push the walls apart unevenly, which takes long to
 // damp.
@@ -162,16 +161,6 @@ std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, 
     beds.push_back(std::move(bed));
   }
   return beds;
-}
-
-std::vector<Target> rest_targets(const Session& session, const std::vector<SettledBed>& beds) {
-  std::vector<Target> targets;
-  for (const SettledBed& bed : beds)
-    for (const RestSteps& one : bed.steps)
-      if (one.awake && bed.n >= fewest_of_target && on_hardware(*session.find(one.backend)))
-        targets.push_back({fmt::format("{}, {} at rest: awake over passed over", one.backend, counted(bed.n, "sphere")),
-                           one.awake->ratio, 3, true});
-  return targets;
 }
 
 json to_json(const RestPlan& plan) {

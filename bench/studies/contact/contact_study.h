@@ -35,7 +35,6 @@
 //      overlap      greatest, in radii
 //      steps        [{backend, sleeping, seconds_per_step, low, high, sample
 //                    awake_over_this   ratio, low and high of its interval; null for itself}]}
-//   targets    of a GPU: {what, value, bound, met}
 //   left_out   [text]: backends that do not time so many spheres
 #pragma once
 
@@ -45,7 +44,6 @@
 #include "bench/measure/session.h"
 #include "bench/measure/statistics.h"
 #include "bench/measure/timing.h"
-#include "bench/studies/motion_targets.h"
 #include "common/scene/contact/contact_options.h"
 
 namespace spherepair {
@@ -173,13 +171,6 @@ std::vector<ContactRate> measure_rates(Session& session, const ContactPlan& plan
 // The fastest backend moves a bed through all stages. All backends continue from there, after a comparison.
 std::vector<SettledBed> measure_rest(Session& session, const ContactPlan& plan, std::vector<std::string>& left_out,
                                      Progress& progress);
-
-// For GPUs: with 10^6 spheres or more, a step that skips spheres at rest takes at most a third of the time of one that
-// does not.
-std::vector<Target> rest_targets(const Session& session, const std::vector<SettledBed>& beds);
-
-// For GPUs: CUDA takes 1e10 sphere-steps/s or more, others at most 1.10x its time.
-std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps);
 
 json to_json(const ContactRun& run);
 json to_json(const GasSteps& steps);

@@ -128,19 +128,6 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
   return all;
 }
 
-std::vector<Target> steps_targets(const Session& session, const std::vector<GasSteps>& steps) {
-  std::vector<Target> targets;
-  for (const GasSteps& one : steps) {
-    if (!on_hardware(*session.find(one.backend))) continue;
-    const std::string what = fmt::format("{}, {}: ", one.backend, counted(one.n, "sphere"));
-    if (one.over_cuda)
-      targets.push_back({what + "time of a step over CUDA's", one.over_cuda->ratio, 1.10, false});
-    else if (one.backend == "cuda")
-      targets.push_back({what + "sphere-steps/s", one.per_second(), 1e10, true});
-  }
-  return targets;
-}
-
 json to_json(const GasSteps& steps) {
   json out = time_of_a_step(steps.samples, steps.steps);
   out.update({{"backend", steps.backend},
