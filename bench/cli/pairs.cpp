@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 
-#include "bench/check/degrees.h"
 #include "bench/check/step_result.h"
 #include "bench/cli/commands.h"
 #include "bench/formats/files.h"
@@ -27,8 +26,7 @@ struct Found {
   std::vector<ListedPair> list;  // full with --csr, else half
   uint64_t pairs = 0;            // of either: each counts once
   Fingerprint fingerprint;
-  std::vector<uint> counts;  // neighbours of each sphere, images included
-  Degrees degrees;
+  std::vector<uint> counts;            // neighbours of each sphere, images included
   std::optional<MethodChoice> method;  // of the search; none: host threads made the list, row by row
 };
 
@@ -91,7 +89,6 @@ Found find_pairs(Search& search, const SphereFile& input, const CollideOptions& 
     ++found.pairs;
     found.fingerprint.a += pair_mix_a(first, second), found.fingerprint.b += pair_mix_b(first, second);
   }
-  found.degrees = degrees_of(found.counts);
   return found;
 }
 
@@ -125,7 +122,6 @@ std::string details(const PairsReport& report) {
       wrapped("method: " + (found.method ? describe(*found.method) : "rows, by the host's threads"), "", "  ") + "\n";
   text += fmt::format("seconds: load {:.3f}, open {:.3f}, collide {:.3f}, write {:.3f}\n", seconds.load, seconds.open,
                       seconds.collide, seconds.write);
-  if (found.degrees.spheres) text += "\n" + degree_table(found.degrees).text();
   return text;
 }
 
@@ -164,7 +160,6 @@ json to_json(const PairsReport& report, const CommandLine& line) {
           {"pairs", found.pairs},
           {"colliding_spheres", colliding_spheres(found)},
           {"fingerprint", hex64(found.fingerprint.a) + hex64(found.fingerprint.b)},
-          {"degrees", to_json(found.degrees)},
           {"seconds",
            {{"load", seconds.load}, {"open", seconds.open}, {"collide", seconds.collide}, {"write", seconds.write}}}};
 }

@@ -62,7 +62,6 @@ TEST_F(PairsCommand, SummaryAndJson) {
   const json record = json::parse(read_bytes(all.json_file));
   EXPECT_EQ(record.at("pairs"), expected_.size());
   EXPECT_EQ(record.at("colliding_spheres"), colliding_spheres);
-  EXPECT_EQ(record.at("degrees"), to_json(degrees_of(counts)));
   EXPECT_EQ(record.at("input").at("n"), 1500);
   EXPECT_EQ(record.at("input").at("numbers"), 6000);
   EXPECT_TRUE(record.at("context").contains("build") && record.at("seconds").contains("load"));
@@ -147,18 +146,6 @@ TEST_F(PairsCommand, ProgramsExitCodes) {
   EXPECT_FALSE(fs::exists(folder_.path("pairs.txt")));
   EXPECT_EQ(run_program("run --backend cpu --input " + input_ + " --pairs " + folder_.path("run.txt")), kOk) << errors_;
   EXPECT_EQ(read_bytes(folder_.path("run.txt")), text_of(expected_));
-}
-
-TEST(Degrees, GroupedInPowersOfTwoFromSixteenOn) {
-  const Degrees degrees = degrees_of(std::vector<uint>{14, 14, 16, 17, 31, 100});
-  EXPECT_EQ(to_json(degrees).dump(),
-            "{\"min\":14,\"median\":16.5,\"mean\":32.0,\"max\":100,\"spheres_by_degree\":["
-            "{\"from\":14,\"to\":14,\"spheres\":2},{\"from\":15,\"to\":15,\"spheres\":0},"
-            "{\"from\":16,\"to\":31,\"spheres\":3},{\"from\":32,\"to\":63,\"spheres\":0},"
-            "{\"from\":64,\"to\":127,\"spheres\":1}]}");
-  EXPECT_EQ(degrees_of(std::vector<uint>{7, 0, 3}).median, 3);
-  EXPECT_EQ(degrees_of(std::vector<uint>{40, 50}).bins.front().from, 32u);
-  EXPECT_TRUE(degrees_of({}).bins.empty());
 }
 
 }  // namespace

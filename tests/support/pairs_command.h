@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "bench/check/degrees.h"
 #include "bench/cli/commands.h"
 #include "bench/output/pair_file.h"
 #include "tests/oracle/oracle.h"
