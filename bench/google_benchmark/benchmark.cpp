@@ -90,10 +90,9 @@ void add_context(const Session& session) {
 int run_all(Session& session, const std::vector<SceneOptions>& scenes, const std::vector<BenchRow>& rows,
             const Sampling& sampling) {
   bool wrong = false;
-  OnBackend on_backend;
   std::vector<std::unique_ptr<BenchScene>> made;
   for (const SceneOptions& scene : scenes) {
-    made.push_back(std::make_unique<BenchScene>(session, scene, rows, on_backend));
+    made.push_back(std::make_unique<BenchScene>(session, scene));
     for (const BenchRow& row : rows) register_row(*made.back(), row, sampling, wrong);
   }
   register_list_rows(session, wrong);

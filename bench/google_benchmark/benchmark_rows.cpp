@@ -13,9 +13,6 @@ namespace {
 bool moves(const BenchRow& row) { return row.work && *row.work != Work::collide; }
 bool collides(const BenchRow& row) { return row.work && *row.work != Work::move; }
 
-// collide_tiled/128: the same on every backend.
-std::string work_of(const BenchRow& row) { return row.name.substr(row.name.find('/') + 1); }
-
 }  // namespace
 
 std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& blocks) {
@@ -43,10 +40,6 @@ std::string parameters_of(const BenchRow& row, const SceneOptions& scene) {
                      row.work ? works[size_t(*row.work)] : "empty", method, scene.name);
 }
 
-BenchScene::BenchScene(Session& session, const SceneOptions& options, const std::vector<BenchRow>& rows,
-                       OnBackend& on_backend)
-    : session_(session), options_(options), rows_(rows), scene_(make_scene(options)), on_backend_(on_backend) {}
-
 Contender BenchScene::contender_for(const BenchRow& row) {
   Contender contender{.label = row.name, .backend = row.backend, .step = [&row](Backend& b) {
                         if (!row.work) b.launch_empty(1);
@@ -55,32 +48,24 @@ Contender BenchScene::contender_for(const BenchRow& row) {
                       }};
   if (!moves(row)) return contender;
   contender.restart = [this, &row](Backend& b) {
-    on_backend_.erase(&b);
     b.upload(scene_);
     if (collides(row)) b.collide(row.options);
   };
   return contender;
 }
 
-void BenchScene::restore(Backend& backend) {
-  if (on_backend_[&backend] == this) return;
-  backend.upload(scene_);
-  on_backend_[&backend] = this;
-}
-
 void BenchScene::check_result(const BenchRow& row) {
   const Configuration configuration{row.backend, row.options},
       reference = reference_for(session_, row.options, options_.n);
-  restore(*reference.backend);
+  for (Backend* backend : {reference.backend, row.backend}) backend->upload(scene_);
   const StepResult expected = run_step(session_, reference, false);
   require_equal(session_, {options_, 0}, reference, expected, configuration, run_step(session_, configuration, false));
 }
 
-// Compares one step from the start bit by bit. Both backends have then moved their spheres.
+// Compares one step from the start bit by bit.
 void BenchScene::check_motion(const BenchRow& row) {
   Backend& reference = session_.reference();
   for (Backend* backend : {&reference, row.backend}) {
-    on_backend_.erase(backend);
     backend->upload(scene_);
     backend->move();
   }
@@ -91,30 +76,19 @@ void BenchScene::check_motion(const BenchRow& row) {
 const BatchPlan& BenchScene::check(const BenchRow& row, const Sampling& sampling) {
   const auto known = plans_.find(row.name);
   if (known != plans_.end()) return known->second;
-  restore(*row.backend);
   session_.comparisons.plan(row.backend->info().name, Comparisons::sets, collides(row));
   session_.comparisons.plan(row.backend->info().name, Comparisons::states, moves(row));
   if (collides(row)) check_result(row);
   if (moves(row)) check_motion(row);
   session_.comparisons.require_complete();
-  return plans_[row.name] = plan_for(row, sampling);
-}
-
-// One for all rows of the same work on devices, one for those on the host.
-BatchPlan BenchScene::plan_for(const BenchRow& row, const Sampling& sampling) {
-  std::vector<Contender> contenders;
-  for (const BenchRow& other : rows_) {
-    if (work_of(other) != work_of(row) || other.backend->info().on_host != row.backend->info().on_host) continue;
-    restore(*other.backend);
-    contenders.push_back(contender_for(other));
-  }
-  std::vector<const Contender*> members;
-  for (const Contender& contender : contenders) members.push_back(&contender);
-  return plan_batches(members, sampling);
+  row.backend->upload(scene_);
+  const Contender contender = contender_for(row);
+  const Contender* const alone[] = {&contender};
+  return plans_[row.name] = plan_batches(alone, sampling);
 }
 
 double BenchScene::sample(const BenchRow& row, const BatchPlan& plan, const Sampling& sampling) {
-  restore(*row.backend);
+  row.backend->upload(scene_);
   Samples samples;
   samples.plan = plan;
   add_turn(samples, take_turn(contender_for(row), plan, sampling.clocks, order_), 0);

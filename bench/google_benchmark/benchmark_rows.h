@@ -22,35 +22,28 @@ std::vector<BenchRow> bench_rows(Session& session, const std::vector<uint>& bloc
 // The parameters of a row that are not numbers, and so not counters, as `name=value` words.
 std::string parameters_of(const BenchRow& row, const SceneOptions& scene);
 
-class BenchScene;
-using OnBackend = std::map<const Backend*, const BenchScene*>;  // the scene that each backend holds unmoved
-
-// The scene of the rows; uploaded again if a row has moved it or another scene has replaced it.
+// The scene of the rows.
 class BenchScene {
  public:
-  // The rows stay where they are as long as this lives.
-  BenchScene(Session& session, const SceneOptions& options, const std::vector<BenchRow>& rows, OnBackend& on_backend);
+  BenchScene(Session& session, const SceneOptions& options)
+      : session_(session), options_(options), scene_(make_scene(options)) {}
 
   // Compares the row's result with the reference's, once; throws DifferenceFound. Returns the batches of a turn.
   const BatchPlan& check(const BenchRow& row, const Sampling& sampling);
 
-  // Seconds per step of a turn.
+  // Uploads the scene and returns seconds per step of a turn.
   double sample(const BenchRow& row, const BatchPlan& plan, const Sampling& sampling);
 
   const SceneOptions& options() const { return options_; }
 
  private:
-  void restore(Backend& backend);
   void check_result(const BenchRow& row);
   void check_motion(const BenchRow& row);
   Contender contender_for(const BenchRow& row);
-  BatchPlan plan_for(const BenchRow& row, const Sampling& sampling);
 
   Session& session_;
   SceneOptions options_;
-  const std::vector<BenchRow>& rows_;
   Scene scene_;
-  OnBackend& on_backend_;
   std::map<std::string, BatchPlan> plans_;  // of the checked rows
   uint64_t order_ = 1;                      // of the batches
 };
