@@ -7,35 +7,20 @@
 #include "bench/io/arguments.h"
 #include "bench/io/context.h"
 #include "bench/studies/frames_study.h"
-#include "bench/viewer/window.h"
 
 namespace spherepair {
 
 int frames_command(const CommandLine& line, const FramesOptions& options) {
   for (const std::string& draw : options.draws) draw_method_from_name(draw);
   for (const std::string& place : options.places) require_known("camera position", place, {"outside", "inside"});
-  for (const std::string& work : options.works)
-    require_known("work", work, {"frame", "frame_all", "lit", "loop", "view"});
+  for (const std::string& work : options.works) require_known("work", work, {"frame", "frame_all", "lit", "loop"});
   most_by_draw(options.most);
-  std::unique_ptr<Window> window;
-  CommandLine opened = line;
-  if (options.window) {
-    window = open_window("spherepair frames", options.width, options.height, true);
-    opened.open.window = &window->context();
-  }
-  StudyRun run(opened, "frames", options.results, options.backends);
+  StudyRun run(line, "frames", options.results, options.backends);
   run.record.update({{"format", "spherepair frames 1"},
                      {"width", options.width},
                      {"height", options.height},
-                     {"packing_fraction", options.packing_fraction},
-                     {"window", options.window}});
-  const auto show = [&](Drawing& drawing) {
-    if (!window) return;
-    window->next(Present::never);
-    if (!drawing.show(window->texture(options.width, options.height))) window->upload(drawing.image());
-    window->show();
-  };
-  FramesStudy study(run.session(), options, show);
+                     {"packing_fraction", options.packing_fraction}});
+  FramesStudy study(run.session(), options);
   for (const uint64_t n : options.sizes) {
     study.measure_size(n);
     run.record["clocks"].push_back(query_clocks());

@@ -138,13 +138,9 @@ void add_frames(CLI::App& app, CommandLine& line, Action& action) {
   add_backends_option(*command, options->backends);
   add_list(*command, "--draws", options->draws, "Drawing methods, see render --help");
   add_list(*command, "--places", options->places, "Camera positions: outside, inside");
-  add_list(
-      *command, "--works", options->works,
-      "frame: an image, each from a new camera; frame_all: the same without culling or reuse; lit: with ambient "
-      "occlusion, shadows and the ground plane; loop: move, collide_grid and frame; view: the same, each complete, "
-      "as `view` has them");
-  command->add_flag("--window", options->window,
-                    "Draw in the context of a window; of the work `view`, each image goes into it");
+  add_list(*command, "--works", options->works,
+           "frame: an image, each from a new camera; frame_all: the same without culling or reuse; lit: with ambient "
+           "occlusion, shadows and the ground plane; loop: move, collide_grid and frame");
   command->add_flag(
       "--transfer", options->transfer,
       "Also time OpenGL drawing of the spheres of CUDA and Vulkan, transferred in every way, and transfers "

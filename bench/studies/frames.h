@@ -15,11 +15,10 @@ struct FramesOptions {
   std::vector<uint64_t> sizes = {16384, 1000000};
   std::vector<std::string> draws = {"compute", "mesh_each", "mesh", "quadric", "points", "impostor"};
   std::vector<std::string> places = {"outside", "inside"};  // camera positions
-  std::vector<std::string> works = {"frame", "frame_all", "lit", "loop", "view"};
+  std::vector<std::string> works = {"frame", "frame_all", "lit", "loop"};
   uint width = 1920, height = 1080;
   double packing_fraction = 0.3;
   bool transfer = false;  // also times OpenGL drawing of CUDA's and Vulkan's spheres, and exchanges between these two
-  bool window = false;    // draws in the context of a window, and handles each image as `view` does
   int rounds = 11;
   double min_seconds = 0;              // of the longest batch; 0: as study_sampling()
   std::vector<std::string> most = {};  // METHOD:n, the most spheres with which a drawing method is timed

@@ -71,8 +71,8 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
   return most;
 }
 
-FramesStudy::FramesStudy(Session& session, const FramesOptions& options, std::function<void(Drawing&)> show)
-    : session_(session), options_(options), show_(std::move(show)), most_(most_by_draw(options.most)) {
+FramesStudy::FramesStudy(Session& session, const FramesOptions& options)
+    : session_(session), options_(options), most_(most_by_draw(options.most)) {
   sampling_ = study_sampling(options.rounds);
   if (options.min_seconds > 0) sampling_.hardware_seconds = sampling_.software_seconds = options.min_seconds;
 }
@@ -144,7 +144,7 @@ void FramesStudy::measure_place(uint64_t n, const std::vector<Backend*>& backend
 // Times the same work on several backends, whose entries are the last of `frames`.
 void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene& scene,
                                 const std::vector<View>& views) {
-  const bool moves = tasks.front().work == "loop" || tasks.front().work == "view";
+  const bool moves = tasks.front().work == "loop";
   std::vector<uint64_t> turns(tasks.size());
   std::vector<Contender> contenders;
   for (size_t i = 0; i < tasks.size(); ++i) {
@@ -163,14 +163,6 @@ void FramesStudy::measure_tasks(const std::vector<FrameTask>& tasks, const Scene
       backend.enqueue_collide(in_dense_cells(backend, n));
       draw(backend);
     };
-    if (task.work == "view")
-      contender.step = [&, &turn = turns[i], this](Backend& backend) {
-        backend.move();
-        backend.collide(in_dense_cells(backend, scene.size()));
-        Drawing& drawing = drawing_of(backend);
-        drawing.draw(views[turn++ % views.size()], draw_options(task));
-        show_(drawing);
-      };
     contender.restart = [&turn = turns[i], start = start_of_loop(scene)](Backend& backend) {
       turn = 0;
       start(backend);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The measurements of spherepair frames: times of drawing, as JSON of the format "spherepair frames 1":
-//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction; window: whether all
-//   draw in the context of one
+//   context, backends, clocks   as in results.json of compare; width, height, packing_fraction
 //   frames     one entry per measurement:
 //     n, backend, draw (DrawMethod), place (camera outside | inside the spheres), work, and the timing core's fields:
 //     median_ms, interval_ms, samples_ms, batch, device_stages_ms ...; image: hash of a check image, equal for all
@@ -10,8 +9,6 @@
 //       frame_all  the same without culling or reuse
 //       lit        the same with ambient occlusion, shadows and the ground plane
 //       loop       move, collide_grid and frame, the first 20 steps
-//       view       the same with every search and every image complete, as `view` has them; in a window, each image
-//                  also goes into it, but is not presented: that is up to the display system
 //     With --transfer, also OpenGL drawing of the spheres of CUDA and Vulkan (transferred: true; to: opengl): draw is
 //     none for a transfer alone and for `step` (move and collide_grid alone); work is host, registered or imported
 //     (Transfer), with a wait after each image, or the same with _pipelined: transfer, image and step, where only the
@@ -34,8 +31,7 @@ std::map<std::string, uint64_t> most_by_draw(const std::vector<std::string>& lim
 
 class FramesStudy {
  public:
-  // show: puts a backend's image into the window.
-  FramesStudy(Session& session, const FramesOptions& options, std::function<void(Drawing&)> show);
+  FramesStudy(Session& session, const FramesOptions& options);
 
   // Checks, then times, every requested drawing method on every backend with n spheres.
   void measure_size(uint64_t n);
@@ -56,7 +52,6 @@ class FramesStudy {
 
   Session& session_;
   const FramesOptions& options_;
-  std::function<void(Drawing&)> show_;
   std::map<std::string, uint64_t> most_;  // spheres by drawing method
   Sampling sampling_;
   Progress progress_;

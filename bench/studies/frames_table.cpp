@@ -31,13 +31,12 @@ void put(Table& table, const Row& keys, const Column& column, const json& entry)
 
 // A row for each work, a column for each backend.
 Table images_table(const json& frames, uint64_t n, const FramesOptions& options) {
-  Table table{fmt::format("Drawing {} at {}x{}: an image, with `loop` and `view` a whole step", counted(n, "sphere"),
+  Table table{fmt::format("Drawing {} at {}x{}: an image, with `loop` a whole step", counted(n, "sphere"),
                           options.width, options.height),
               {{"", "draw", "", true}, {"", "camera", "", true}, {"", "work", "", true}},
               {},
               {"frame: each image from a new camera. frame_all: the same without culling or reuse. lit: with ambient "
-               "occlusion, shadows and the ground. loop: move, collide_grid and frame. view: the same, each complete. "
-               "-: not timed."}};
+               "occlusion, shadows and the ground. loop: move, collide_grid and frame. -: not timed."}};
   for (const json& entry : frames)
     if (entry.at("n") == n && !is_transfer(entry))
       put(table, {entry.at("draw"), entry.at("place"), entry.at("work")}, {"median", entry.at("backend"), "ms"}, entry);

@@ -91,7 +91,7 @@ FramesOptions transfers(const std::vector<std::string>& draws) {
 TEST_F(Studies, FramesTellsCudasImagesFromThoseOfTransfers) {
   Session session({"cpu"}, {}, [](const std::string&, const OpenOptions&) { return std::make_unique<Transferring>(); });
   const FramesOptions options = transfers({"compute", "points"});
-  FramesStudy study(session, options, {});
+  FramesStudy study(session, options);
   study.measure_size(64);
   const auto transferred = [](const json& entry) { return entry.contains("transferred"); };
   EXPECT_EQ(std::ranges::count_if(study.frames, transferred), 1 + 2 + 2 * 2) << "a step, two ways alone, with images";
@@ -121,7 +121,7 @@ TEST_F(Studies, FramesTimesExchangesOfVulkanAndCuda) {
     return std::make_unique<WithBuffers>(name, open_backend("opengl", {}));
   });
   const FramesOptions options = transfers({"compute"});
-  FramesStudy study(session, options, {});
+  FramesStudy study(session, options);
   study.measure_size(64);
   ASSERT_EQ(study.frames.size(), 2u + 2u) << "two images, each direction through the host; " << study.left_out;
   for (const size_t k : {2, 3}) {
@@ -147,7 +147,7 @@ class Blind : public ForwardingBackend {
 TEST_F(Studies, FramesLeavesOutWhatDoesNotDraw) {
   Session session({"cpu"}, {}, [](const std::string&, const OpenOptions&) { return std::make_unique<Blind>(); });
   const FramesOptions options = transfers({"compute"});
-  FramesStudy study(session, options, {});
+  FramesStudy study(session, options);
   study.measure_size(64);
   EXPECT_TRUE(study.frames.empty());
   EXPECT_EQ(study.left_out.at(0).at("reason"), "this backend does not have it");
@@ -166,7 +166,7 @@ TEST_F(Studies, FramesOfSeveralBackendsAreContests) {
                                  .height = 48,
                                  .rounds = 3,
                                  .min_seconds = 1e-4};
-  FramesStudy study(session, options, {});
+  FramesStudy study(session, options);
   study.measure_size(64);
   ASSERT_EQ(study.frames.size(), 4u) << study.left_out;
   for (size_t i = 0; i < 4; i += 2) {
