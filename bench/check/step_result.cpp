@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "bench/check/finite_state.h"
 #include "bench/check/margin.h"
@@ -197,6 +198,13 @@ uint64_t require_same_states(Session& session, const ComparisonPoint& point) {
     if (backend.get() != &session.reference())
       require_same_state(session, point, session.reference(), expected, *backend, current_state(*backend));
   return state_hash(expected.positions, expected.velocities, expected.wide);
+}
+
+void compare_states(Session& session, const ComparisonPoint& point) {
+  for (const auto& backend : session.backends() | std::views::drop(1))  // the first is the reference
+    session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+  require_same_states(session, point);
+  session.comparisons.require_complete();
 }
 
 }  // namespace spherepair

@@ -58,5 +58,6 @@ void require_same_state(Session& session, const ComparisonPoint& point, const Ba
 
 // Compares the state of every backend with the reference's, which must be finite; returns its hash.
 uint64_t require_same_states(Session& session, const ComparisonPoint& point);
+void compare_states(Session& session, const ComparisonPoint& point);  // the same, also planned as comparisons
 
 }  // namespace spherepair

@@ -18,13 +18,6 @@ SceneOptions scene_options(const PrecisionPlan& plan, MotionOptions motion, int 
   return {.name = "random", .n = n, .seed = plan.seed, .motion = motion, .dt = std::ldexp(1.0f, -k)};
 }
 
-void compare_states(Session& session, const SceneOptions& scene, uint64_t step) {
-  for (const auto& backend : session.backends())
-    if (backend.get() != &session.reference()) session.comparisons.plan(backend->info().name, Comparisons::states, 1);
-  require_same_states(session, {scene, step});
-  session.comparisons.require_complete();
-}
-
 ErrorEntry run_for_errors(Motion& motion, const Scene& scene, int k, uint64_t steps) {
   constexpr uint64_t samples = 16;
   ErrorEntry entry{scene.motion, k, motion.info().name, 0, 0, 0, 0, 0};
@@ -112,7 +105,7 @@ std::vector<ErrorEntry> measure_errors(Session& session, const PrecisionPlan& pl
         }
         entries.push_back(run_for_errors(*backend, scene, k, steps));
       }
-      if (all) compare_states(session, options, steps);
+      if (all) compare_states(session, {options, steps});
     }
   return entries;
 }
@@ -138,7 +131,7 @@ std::vector<TimeEntry> measure_times(Session& session, const PrecisionPlan& plan
                                 .restart = [&scene](Backend& b) { b.upload(scene); },
                                 .working_set = motion_set_bytes(scene.size(), motion)});
       }
-      compare_states(session, scene_options(plan, motion, k, plan.time_n), 3);
+      compare_states(session, {scene_options(plan, motion, k, plan.time_n), 3});
       for (Samples& samples : measure(session, contenders, plan.sampling, progress)) {
         const std::string work = samples.label, backend = samples.backend;
         entries.push_back({motion, k, work, backend, scene.size(), bouncing, std::move(samples)});

@@ -155,13 +155,6 @@ void SpirvModule::find_bindings(const Types& types) {
   }
 }
 
-uint32_t SpirvModule::storage_buffers() const {
-  uint32_t count = 0;
-  for (const auto& [number, binding] : bindings_)
-    if (binding.kind == SpirvBinding::Kind::storage) count += binding.count;
-  return count;
-}
-
 int SpirvModule::offset_of(uint32_t binding, const std::string& member) const {
   const auto block = members_.find(binding);
   if (block == members_.end()) return -1;

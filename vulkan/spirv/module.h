@@ -31,7 +31,6 @@ class SpirvModule {
 
   const std::vector<uint32_t>& words() const { return words_; }
   const std::map<uint32_t, SpirvBinding>& bindings() const { return bindings_; }  // by binding number, in set 0
-  uint32_t storage_buffers() const;                                               // descriptors in all
 
   // Offset in bytes of a member of the uniform block at this binding; -1: no member has this name.
   int offset_of(uint32_t binding, const std::string& member) const;

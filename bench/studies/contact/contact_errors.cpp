@@ -110,19 +110,11 @@ class Errors {
                       (end.energy - converged.energy) / converged.energy, change_of_momentum(scene, end.state.wide),
                       std::nullopt});
     }
-    compare(steps);
+    const SceneOptions options = options_of(plan_);
+    compare_states(session_, {options, steps});
     if (kind.restitution != 1) return;
     for (size_t k = 0; k < session_.backends().size(); ++k)
       runs[first + k].returns = comes_back(*session_.backends()[k], scene, steps);
-  }
-
-  void compare(uint64_t steps) {
-    for (const auto& backend : session_.backends())
-      if (backend.get() != &session_.reference())
-        session_.comparisons.plan(backend->info().name, Comparisons::states, 1);
-    const SceneOptions options = options_of(plan_);
-    require_same_states(session_, {options, steps});
-    session_.comparisons.require_complete();
   }
 
   Session& session_;

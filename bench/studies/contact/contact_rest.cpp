@@ -93,20 +93,10 @@ RestStart come_to_rest(Backend& backend, const RestPlan& plan, SettledBed& bed, 
 // Checks that all backends give the same bits, with sleeping spheres and without.
 void compare_at_rest(Session& session, const std::vector<Backend*>& backends, RestStart& start, double drag) {
   const SceneOptions options{.name = "bed", .n = start.scene.size()};
-  std::optional<Motion::State> expected;
-  for (Backend* backend : backends)
-    for (const bool sleeping : {false, true}) {
-      go_on(*backend, start.scene, start.state, drag, sleeping);
-      for (uint64_t step = 0; step < rest_steps_compared; ++step) backend->move();
-      Motion::State state = current_state(*backend);
-      if (!expected) {
-        expected = std::move(state);
-        continue;
-      }
-      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
-      require_same_state(session, {options, rest_steps_compared}, *backends.front(), *expected, *backend, state);
-    }
-  session.comparisons.require_complete();
+  const auto begin = [&](bool sleeping) {
+    return [&, sleeping](Backend& one) { go_on(one, start.scene, start.state, drag, sleeping); };
+  };
+  compare_states(session, backends, {begin(false), begin(true)}, {options, rest_steps_compared});
 }
 
 std::vector<RestSteps> time_steps(Session& session, const ContactPlan& plan, const std::vector<Backend*>& backends,

@@ -41,6 +41,7 @@
 #include <array>
 #include <optional>
 
+#include "bench/check/step_result.h"
 #include "bench/measure/session.h"
 #include "bench/measure/statistics.h"
 #include "bench/measure/timing.h"
@@ -152,6 +153,13 @@ uint64_t steps_of_run(const ContactPlan& plan, const ContactKind& kind, uint ste
 // The backends that time this many spheres: the CPU and APIs in software leave out more than plan.most_on_host.
 std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
                                    std::vector<std::string>& left_out);
+
+// Makes the steps up to `end` from each start on each of these backends. Throws DifferenceFound unless all end in the
+// same bits.
+using Starts = std::vector<std::function<void(Backend&)>>;
+void compare_states(Session& session, const std::vector<Backend*>& backends, const Starts& starts,
+                    const ComparisonPoint& end);
+
 json ratio_of(const std::optional<Contest>& contest);
 json time_of_a_step(const Samples& samples, uint64_t steps = 1);
 

@@ -21,25 +21,25 @@ Scene gas_scene(const ContactPlan& plan, uint64_t n) {
   return scene;
 }
 
-// Checks that all backends give the same bits.
-void compare_states(Session& session, const Scene& scene, const std::vector<Backend*>& backends) {
-  const SceneOptions options{.name = "gas", .n = scene.size()};
+}  // namespace
+
+void compare_states(Session& session, const std::vector<Backend*>& backends, const Starts& starts,
+                    const ComparisonPoint& end) {
   std::optional<Motion::State> expected;
-  for (Backend* backend : backends) {
-    backend->upload(scene);
-    for (uint64_t step = 0; step < steps_compared; ++step) backend->move();
-    Motion::State state = current_state(*backend);
-    if (!expected) {
-      expected = std::move(state);
-      continue;
+  for (Backend* backend : backends)
+    for (const auto& start : starts) {
+      start(*backend);
+      for (uint64_t step = 0; step < end.step; ++step) backend->move();
+      Motion::State state = current_state(*backend);
+      if (!expected) {
+        expected = std::move(state);
+        continue;
+      }
+      session.comparisons.plan(backend->info().name, Comparisons::states, 1);
+      require_same_state(session, end, *backends.front(), *expected, *backend, state);
     }
-    session.comparisons.plan(backend->info().name, Comparisons::states, 1);
-    require_same_state(session, {options, steps_compared}, *backends.front(), *expected, *backend, state);
-  }
   session.comparisons.require_complete();
 }
-
-}  // namespace
 
 std::vector<Backend*> backends_for(const Session& session, const ContactPlan& plan, uint64_t n,
                                    std::vector<std::string>& left_out) {
@@ -100,7 +100,8 @@ std::vector<GasSteps> measure_gas_steps(Session& session, const ContactPlan& pla
     const Scene scene = gas_scene(plan, n);
     const std::vector<Backend*> backends = backends_for(session, plan, n, left_out);
     progress.say(fmt::format("comparing {}", counted(n, "sphere")));
-    compare_states(session, scene, backends);
+    const SceneOptions options{.name = "gas", .n = n};
+    compare_states(session, backends, {[&](Backend& one) { one.upload(scene); }}, {options, steps_compared});
     const auto all_steps = [&](Backend& backend, uint64_t times) {
       for (uint64_t k = 0; k < times * plan.steps_averaged; ++k) backend.move();
     };
