@@ -72,17 +72,6 @@ std::string tables_of(const CrossoverSweep& sweep, size_t width) {
   return text;
 }
 
-// The size from which on this way is faster at every size; null if it is not, or undecided, at the largest.
-json faster_from(const std::vector<Timing>& timings, bool Timing::*faster) {
-  json found = json::object();
-  for (const Timing& t : timings) {
-    json& from = found[t.backend][t.kind];
-    if (!(t.*faster)) from = nullptr;
-    if (t.*faster && from.is_null()) from = t.n;
-  }
-  return found;
-}
-
 // A line for each timing with this loss.
 std::vector<std::string> rows_of(const std::vector<Timing>& timings, Loss loss) {
   std::vector<std::string> found;
@@ -131,8 +120,6 @@ int crossover_command(const CommandLine& line, const CrossoverOptions& options) 
   std::ranges::sort(sizes);
   StudyRun run(line, "crossover", options.results, options.backends);
   CrossoverSweep sweep(run.session(), options, [&] {
-    run.record["grid_from"] = faster_from(sweep.timings, &Timing::grid_faster);
-    run.record["triangle_from"] = faster_from(sweep.timings, &Timing::triangle_fastest);
     run.record["auto"] = list_of(sweep.timings);
     run.record["stopped"] = sweep.stopped;
     run.record["measurements"] = sweep.measurements;

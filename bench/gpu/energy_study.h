@@ -21,9 +21,6 @@ struct EnergyOptions {
 // which the grid sorts first.
 const std::vector<std::string>& energy_works();
 
-// If the two methods of a row differ by more, they disagree about its energy.
-constexpr double energy_tolerance = 0.03;
-
 class EnergyStudy {
  public:
   // Calls `write` after every window, so that an interrupted run keeps its measurements. `library`: NVML's.

@@ -119,10 +119,6 @@ json to_json(const Samples& samples) {
   return out;
 }
 
-std::string marked(const std::string& cell, const Samples& samples) {
-  return samples.unsteady().empty() ? cell : cell + unsteady_mark;
-}
-
 std::string time_cell(const Samples& samples, double in_second) {
   return time_cell(samples.seconds, in_second, samples.unsteady().empty());
 }

@@ -51,8 +51,6 @@ void fit_rounds(Samples& samples);
 
 json to_json(const Samples& samples);
 
-std::string marked(const std::string& cell, const Samples& samples);  // appends a mark if the time is unsteady
-
 constexpr double in_ms = 1e3;  // of a second
 
 // A cell of a table: 1.234 [1.229, 1.240], the median with its interval, which needs 6 rounds; marked if unsteady.

@@ -157,27 +157,13 @@ void CrossoverSweep::time(const SphereKind& kind, const SceneOptions& scene, con
 }
 
 void CrossoverSweep::compare(Timing& timing, const std::vector<Way>& ways, const std::vector<Samples>& samples) {
-  const Samples *best = nullptr, *triangle = nullptr, *of_grid = nullptr, *of_pairs = nullptr, *of_others = nullptr;
-  const auto keep_faster = [](const Samples*& held, const Samples& found) {
-    if (!held || found.median_seconds() < held->median_seconds()) held = &found;
-    return held == &found;
-  };
+  const Samples* best = nullptr;
   for (size_t k = 0; k + 1 < ways.size(); ++k) {
     (ways[k].grid ? timing.grid : timing.all_pairs)[ways[k].name] = samples[k].median_seconds();
-    if (keep_faster(best, samples[k])) timing.best = ways[k].name;
-    keep_faster(ways[k].grid ? of_grid : of_pairs, samples[k]);
-    if (ways[k].options.method == Method::collide_triangle)
-      triangle = &samples[k];
-    else if (!ways[k].grid)
-      keep_faster(of_others, samples[k]);
+    if (best && samples[k].median_seconds() >= best->median_seconds()) continue;
+    best = &samples[k];
+    timing.best = ways[k].name;
   }
-  const auto faster = [](const Samples* left, const Samples* right) {  // a stopped way was far behind
-    if (!left || !right) return left != nullptr;
-    const Contest found = contest(*left, *right);
-    return found.finding == Finding::differ && found.ratio < 1;
-  };
-  timing.grid_faster = faster(of_grid, of_pairs);
-  timing.triangle_fastest = faster(triangle, of_others);
   timing.automatic = samples.back().median_seconds();
   for (size_t k = 0; k < ways.size(); ++k)
     if (!samples[k].unsteady().empty()) timing.unsteady.insert(ways[k].name);

@@ -47,9 +47,6 @@ struct Timing {
   std::set<std::string> unsteady = {};                      // ways, auto among them, whose times decide nothing
   std::string chosen = {}, best = {};  // auto's choice; the fastest other way, empty if there is none
   Contest over_best = {};              // auto against `best`
-  // Whether, by a decisive interval, the best way of the grid is faster than the best of all pairs, and
-  // collide_triangle faster than every other way of all pairs.
-  bool grid_faster = false, triangle_fastest = false;
 };
 json to_json(const Timing& timing);
 

@@ -112,45 +112,6 @@ Table absolute_times(const Study& study, const std::vector<Task>& tasks, const s
   return table;
 }
 
-std::string speedup(const std::optional<Samples>& base, const std::optional<Samples>& other) {
-  if (!base || !other) return "-";
-  const std::string times = format_number(base->median_seconds() / other->median_seconds());
-  return marked(times, base->unsteady().empty() ? *other : *base);
-}
-
-Table speedups(const std::vector<Table1Row>& rows) {
-  Table table{"Speedups of finding the pairs", {{"", "n", ""}}, {}, {}};
-  std::vector<Samples> first;
-  for (const auto& one : rows.front().pairs) first.push_back(*one);
-  std::vector<size_t> bases;
-  for (size_t k = 0; k < first.size(); ++k)
-    if (first[k].label.find("sequential") != std::string::npos ||
-        first[k].label.find("parallel") != std::string::npos ||
-        first[k].label.find("collide_tiled") != std::string::npos)
-      bases.push_back(k);
-  const auto fastest = [&](size_t base, size_t k) {
-    return k != base && (first[k].label.find("collide_triangle") != std::string::npos ||
-                         (first[base].label.find("sequential") != std::string::npos &&
-                          first[k].label.find("parallel") != std::string::npos));
-  };
-  for (size_t base : bases) {
-    const std::string group = "over " + first[base].label;
-    for (size_t k = 0; k < first.size(); ++k)
-      if (fastest(base, k))
-        table.columns.push_back({group, first[k].label.substr(0, first[k].label.find(" collide")), "times"});
-  }
-  for (const Table1Row& row : rows) {
-    std::vector<std::string> cells = {std::to_string(row.n)};
-    for (size_t base : bases) {
-      for (size_t k = 0; k < row.pairs.size(); ++k)
-        if (fastest(base, k)) cells.push_back(speedup(row.pairs[base], row.pairs[k]));
-    }
-    table.rows.push_back(cells);
-  }
-  table.notes = {"The APIs of a GPU: collide_triangle. Below 1: slower than the base."};
-  return table;
-}
-
 }  // namespace
 
 std::vector<Table> make_table1(Study& study) {
@@ -166,7 +127,7 @@ std::vector<Table> make_table1(Study& study) {
         if (one.label == label(pairs[k])) row.pairs[k] = one;
     rows.push_back(std::move(row));
   }
-  return {absolute_times(study, pairs, rows), speedups(rows)};
+  return {absolute_times(study, pairs, rows)};
 }
 
 }  // namespace spherepair

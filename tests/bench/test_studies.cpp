@@ -53,7 +53,6 @@ TEST_F(Studies, CrossoverNamesTheChoiceAndItsReason) {
   EXPECT_LE(found.at("measurements").size(), 16u) << "two kinds, two sizes, four ways";
   EXPECT_GE(found.at("measurements").size(), 14u) << "all pairs may be stopped";
   EXPECT_TRUE(found.at("complete"));
-  EXPECT_TRUE(found.at("grid_from").at("cpu").contains("gas"));
   EXPECT_EQ(found.at("auto").size(), 4u);
   for (const json& row : found.at("auto")) {
     EXPECT_NEAR(row.at("loss_percent"), 100 * (row.at("auto_ms").get<double>() / row.at("best_ms").get<double>() - 1),
