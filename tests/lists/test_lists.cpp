@@ -195,23 +195,7 @@ TEST_P(Lists, ARefusalLeavesTheNextListAsItIs) {
   }
 }
 
-// Of every API some systems, small and large, by the search and by kernels of lists.
-class ListsOfEveryApi : public BackendTest {};
-
-TEST_P(ListsOfEveryApi, AreThoseOfTheHost) {
-  Random random(67);
-  for (const uint64_t points : {3, 300, 2100}) {
-    ListProblem problem = of_points({}, 0.8, cube(10));
-    for (uint64_t i = 0; i < points; ++i)
-      problem.set.points.push_back({random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)});
-    problem.set.offsets = {0, points / 3, points}, problem.boxes.resize(2);
-    EXPECT_EQ(first_difference(list_of(backend(), problem), list_pairs(*all_backends().front().backend, problem)), "")
-        << points;
-  }
-}
-
 INSTANTIATE_BACKENDS(Lists);
-INSTANTIATE_BACKENDS(ListsOfEveryApi);
 
 }  // namespace
 }  // namespace spherepair

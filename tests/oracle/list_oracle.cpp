@@ -25,16 +25,16 @@ bool is_excluded(const ListProblem& problem, uint32_t i, uint32_t j) {
 }
 
 template <typename Number>
-using Vector = std::array<Number, 3>;
+using Triple = std::array<Number, 3>;
 
 template <typename Kind>
-Vector<typename Kind::Number> numbers_of(const Point3& point) {
+Triple<typename Kind::Number> numbers_of(const Point3& point) {
   return {Kind::of(point[0]), Kind::of(point[1]), Kind::of(point[2])};
 }
 
 template <typename Kind>
-Vector<typename Kind::Number> image_of(const ListBox& box, const Shift& shift) {
-  Vector<typename Kind::Number> image{};
+Triple<typename Kind::Number> image_of(const ListBox& box, const Shift& shift) {
+  Triple<typename Kind::Number> image{};
   for (size_t k = 0; k < 3; ++k)
     if (shift[k] != 0)
       for (size_t axis = 0; axis < 3; ++axis)
@@ -50,7 +50,7 @@ typename Kind::Number reach_of(const ListProblem& problem, uint32_t i, uint32_t 
 }
 
 template <typename Number>
-bool is_pair(const Vector<Number>& first, const Vector<Number>& second, const Vector<Number>& image,
+bool is_pair(const Triple<Number>& first, const Triple<Number>& second, const Triple<Number>& image,
              const Number& reach, bool inclusive) {
   Number squared = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ bool is_of_half(const ListedPair& pair) {
 template <typename Kind>
 struct Image {
   Shift shift;
-  Vector<typename Kind::Number> way;
+  Triple<typename Kind::Number> way;
 };
 
 template <typename Kind>
@@ -89,7 +89,7 @@ template <typename Kind>
 std::vector<ListedPair> list_by(const ListProblem& problem, int range) {
   std::vector<ListedPair> list;
   const PointSet &firsts = problem.firsts(), &seconds = problem.set;
-  std::vector<Vector<typename Kind::Number>> from, to;
+  std::vector<Triple<typename Kind::Number>> from, to;
   std::ranges::transform(firsts.points, std::back_inserter(from), numbers_of<Kind>);
   std::ranges::transform(seconds.points, std::back_inserter(to), numbers_of<Kind>);
   for (size_t b = 0; b + 1 < seconds.offsets.size(); ++b) {
