@@ -10,13 +10,6 @@
 namespace spherepair {
 namespace {
 
-Start start_of_200() {
-  Start start;
-  start.scene = make_scene({.name = "random", .n = 200});
-  start.label = "random";
-  return start;
-}
-
 class ViewerInput : public testing::Test {
  protected:
   std::vector<uint> after(const std::string& keys) {

@@ -15,13 +15,6 @@
 namespace spherepair {
 namespace {
 
-Start start_of_200() {
-  Start start;
-  start.scene = make_scene({.name = "random", .n = 200});
-  start.label = "random";
-  return start;
-}
-
 class ViewerImages : public testing::Test {
  protected:
   ViewerImages() { bounds_.low[1] = std::min(bounds_.low[1], double(start_.scene.plane)); }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/formats/start.h"
 #include "bench/viewer/window.h"
 
 namespace spherepair {
@@ -51,5 +52,13 @@ class ScriptedWindow final : public Window, private WindowContext {
  private:
   void make_current() override {}
 };
+
+// What a viewer starts from: 200 random spheres.
+inline Start start_of_200() {
+  Start start;
+  start.scene = make_scene({.name = "random", .n = 200});
+  start.label = "random";
+  return start;
+}
 
 }  // namespace spherepair
