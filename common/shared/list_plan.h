@@ -12,8 +12,8 @@ FN ListSystem with_cells(ListSystem s, bool asks, float x, float y, float z) {
   float points = float(s.end_point - s.first_point);
   EXACT float few = LIST_FEW * x * y * z;
   s.looks_alone = asks || points < few ? 1u : 0u;
-  EXACT float quarter = points * 0.25f;
-  float enough = s.looks_alone != 0u && s.end_point - s.first_point > LIST_PREPARED ? points * 0.5f : quarter;
+  float a_point = s.looks_alone != 0u && s.end_point - s.first_point > LIST_PREPARED ? 0.5f : 0.25f;
+  EXACT float enough = points * a_point;
   EXACT float product = points + 1.0f;
   EXACT float side = 0.5f;
   for (uint turn = 0u; turn < 200u && product > enough; ++turn) {

@@ -67,6 +67,11 @@ LISTS = [
     mutant("rows of two systems look together", "shaders/list/list_region.glsl", "if (!waits || look.system != leading.system) return false;", "if (!waits) return false;", "Lists"),
     mutant("rows that are far from the first never look", "shaders/list/list_row.glsl", "waits = waits && !joins;", "waits = false;", "Lists"),
     mutant("points beyond a row's reach are staged, undecided ones are not", "shaders/list/list_region.glsl", "if (beyond > tolerance) return;", "if (beyond > -tolerance) return;", "Lists"),
-    mutant("a row has its own point", "shaders/list/list_row.glsl", "if (all && own >= begin && own < end) {", "if (false) {", "Lists"),
+    mutant("a row has its own point", "shaders/list/list_row.glsl", "if (all && own >= tested.begin && own < tested.end) {", "if (false) {", "Lists"),
+    mutant("a row that looks alone has its own point", "shaders/list/list_row.glsl", "uint own = has_flag(LIST_ASKS) ? ~0u : k;", "uint own = ~0u;", "Lists"),
+    mutant("a row that looks alone leaves out what float32 leaves undecided", "shaders/list/list_row.glsl", "if (look_alone(look, place, own, to, false) != 0u)", "if (look_alone(look, place, own, to, false) == ~0u)", "Lists"),
+    mutant("a row that looks alone does so in each of its threads", "shaders/list/list_row.glsl", "uint number = gl_LocalInvocationID.x >> bits;", "uint number = 0u;", "Lists"),
+    mutant("keys of images have no image in ranges", "shaders/list/list_region.glsl", "region.key_bits | image;", "region.key_bits;", "Lists"),
+    mutant("another group has the long rows", "shaders/list/list_count.comp", "= group_index();", "= 0u;", "Lists"),
     mutant("a point that float32 leaves undecided is not looked at again", "shaders/list/list_row.glsl", "if (undecided_rows != 0u) look_through(", "if (false) look_through(", "Lists"),
 ]
