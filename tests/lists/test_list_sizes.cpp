@@ -32,7 +32,7 @@ TEST_P(Lists, SystemsOfAnySizeAreBinned) {
     }
 }
 
-// All points are neighbours of all others.
+// All points are neighbours of all others; then of 700 points only the last 300, so that their rows alone are long.
 TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
   Random random(64);
   const auto along = [&] { return random.between(0, 31) / 8.0; };
@@ -42,6 +42,11 @@ TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
     problem.set.offsets = {0, points};
     EXPECT_EQ(first_difference(list(problem), list_by_integers(problem, 0)), "") << points;
   }
+  ListProblem crowd = of_points({}, 8);
+  for (int i = 400; i > 0; --i) crowd.set.points.push_back({-16.0 * i, 0, 0});
+  for (int i = 0; i < 300; ++i) crowd.set.points.push_back({along(), along(), along()});
+  crowd.set.offsets = {0, crowd.set.size()};
+  EXPECT_EQ(first_difference(list(crowd), list_by_integers(crowd, 0)), "");
   ListProblem images = of_points({{0, 0, 0}, {0.5, 0.25, 0}, {0.75, 0, 0.5}}, 6.25, cube(1));
   for (const bool half : {false, true}) {
     images.half = half;
