@@ -9,27 +9,27 @@
 namespace spherepair {
 namespace {
 
-class Rational {
+class GmpRational {
  public:
-  Rational(float value = 0) {
+  GmpRational(float value = 0) {
     mpq_init(value_);
     mpq_set_d(value_, value);
   }
-  Rational(const Rational& other) : Rational() { mpq_set(value_, other.value_); }
-  Rational& operator=(const Rational& other) {
+  GmpRational(const GmpRational& other) : GmpRational() { mpq_set(value_, other.value_); }
+  GmpRational& operator=(const GmpRational& other) {
     mpq_set(value_, other.value_);
     return *this;
   }
-  ~Rational() { mpq_clear(value_); }
-  friend Rational operator+(Rational a, const Rational& b) {
+  ~GmpRational() { mpq_clear(value_); }
+  friend GmpRational operator+(GmpRational a, const GmpRational& b) {
     mpq_add(a.value_, a.value_, b.value_);
     return a;
   }
-  friend Rational operator-(Rational a, const Rational& b) {
+  friend GmpRational operator-(GmpRational a, const GmpRational& b) {
     mpq_sub(a.value_, a.value_, b.value_);
     return a;
   }
-  friend Rational operator*(Rational a, const Rational& b) {
+  friend GmpRational operator*(GmpRational a, const GmpRational& b) {
     mpq_mul(a.value_, a.value_, b.value_);
     return a;
   }
@@ -42,7 +42,7 @@ class Rational {
 
 // The quotient is scaled so that its integer part has the float's 24 bits (fewer for denormals); what is left of it
 // decides the rounding, ties to even.
-float Rational::nearest() const {
+float GmpRational::nearest() const {
   if (sign() == 0) return 0;
   long exponent = long(mpz_sizeinbase(mpq_numref(value_), 2)) - long(mpz_sizeinbase(mpq_denref(value_), 2)) - 24;
   mpz_t numerator, denominator, quotient, rest;
@@ -66,9 +66,9 @@ float Rational::nearest() const {
 float snapped(float x) { return std::abs(x) < 0x1p-64f ? 0.0f : x; }
 
 float advanced(float position, float velocity, float dt, float term) {
-  const float travelled = (Rational(velocity) * dt).nearest();
-  const float moved = (Rational(position) + travelled).nearest();
-  return snapped((Rational(moved) + term).nearest());
+  const float travelled = (GmpRational(velocity) * dt).nearest();
+  const float moved = (GmpRational(position) + travelled).nearest();
+  return snapped((GmpRational(moved) + term).nearest());
 }
 
 }  // namespace
@@ -89,10 +89,10 @@ Moved step_rational(vec4 position, vec4 velocity, const MotionParams& m) {
   next.position.y = advanced(position.y, velocity.y, m.dt, m.half_gravity_dt2.x);
   next.position.z = advanced(position.z, velocity.z, m.dt, 0);
   next.velocity.x = snapped(velocity.x);
-  next.velocity.y = snapped((Rational(velocity.y) + m.gravity_dt.x).nearest());
+  next.velocity.y = snapped((GmpRational(velocity.y) + m.gravity_dt.x).nearest());
   next.velocity.z = snapped(velocity.z);
-  if ((Rational(next.position.y) - position.w - m.plane).sign() < 0) {
-    next.velocity.y = snapped(-(Rational(velocity.y) * m.restitution).nearest());
+  if ((GmpRational(next.position.y) - position.w - m.plane).sign() < 0) {
+    next.velocity.y = snapped(-(GmpRational(velocity.y) * m.restitution).nearest());
     next.position.y = advanced(position.y, next.velocity.y, m.dt, m.half_gravity_dt2.x);
   }
   return next;
