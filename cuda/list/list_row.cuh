@@ -57,8 +57,8 @@ __device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j,
                            buf.list_state[0].cutoff, buf.list_state[0].skin, has_flag(buf, LIST_INCLUSIVE));
 }
 
-// Shifts in the bits of another point's test in float32: x has those that are within reach for certain, y also those
-// that float32 leaves undecided. The last point has the lowest bit.
+// Tests a point in float32 and appends the result as the lowest bit: in x if the point is certainly within reach, in y
+// also if float32 cannot decide.
 __device__ inline uvec2 with_test(uvec2 bits, vec4 place, vec4 other, float tolerance) {
   EXACT float x = other.x - place.x;
   EXACT float y = other.y - place.y;

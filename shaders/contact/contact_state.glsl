@@ -44,8 +44,8 @@ void store_body(uint i, Body s, vec4 speeds) {
 }
 
 // GLSL only from here: CUDA has the atomic
-// Without 64-bit atomics a sum takes two of 32 bits, exact once all are done: exactly one addition sees each wrap of
-// the low word.
+// Without 64-bit atomics, a sum is two words of 32 bits. It is exact once all additions are done, because exactly one
+// of them sees each wrap of the low word.
 #if defined ATOMICS_64
 layout(std430, binding = SLOT_IMPULSE) buffer ImpulseBuffer { int64_t of[]; }
 impulse[3];

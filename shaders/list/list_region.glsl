@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region that a group looks through for the pairs of 2^row_bits rows, which are in the order of their cells. Those
-// that are near each other look together: the group passes over the cells that enclose the reach of all of them and
-// stages, in shared memory, the points within reach of the box around them.
+// The region that a group looks through for the pairs of 2^row_bits rows, which are in the order of their cells. Rows
+// that are near each other look together. The group visits the cells that enclose the reach of all of them, and copies
+// the points within reach of the box around the rows to shared memory.
 #include "shaders/list/list.glsl"
 
 layout(std430, binding = SLOT_CELL) restrict readonly buffer CellBuffer { uint cell[]; };

@@ -54,8 +54,8 @@ bool is_within_reach(uint i, uint j, ivec4 image) {
                            list_state[0].skin, has_flag(LIST_INCLUSIVE));
 }
 
-// Shifts in the bits of another point's test in float32: x has those that are within reach for certain, y also those
-// that float32 leaves undecided. The last point has the lowest bit.
+// Tests a point in float32 and appends the result as the lowest bit: in x if the point is certainly within reach, in y
+// also if float32 cannot decide.
 uvec2 with_test(uvec2 bits, vec4 place, vec4 other, float tolerance) {
   EXACT float x = other.x - place.x;
   EXACT float y = other.y - place.y;

@@ -58,8 +58,8 @@ TEST_F(CommandLineTest, OptionsThatChangeNothingAreRefusedWithTheReason) {
         {std::string("devices --backends cpu --compile"), "--compile"},
         {"compare --tables none --rounds 9 --results " + path("r"), "--rounds"},
         {"contacts --measure steps --laws spring --results " + path("r"), "--laws"},
-        {"contacts --measure sums --averaged 9 --results " + path("r"), "--averaged"},
-        {"contacts --measure sums --rest-layers 9 --results " + path("r"), "--rest-layers"},
+        {"contacts --measure errors --averaged 9 --results " + path("r"), "--averaged"},
+        {"contacts --measure errors --rest-layers 9 --results " + path("r"), "--rest-layers"},
         {"contacts --measure steps --drag-steps 0.1:9 --results " + path("r"), "--drag-steps"},
         {"contacts --measure rates --rounds 6 --results " + path("r"), "--rounds"},
         {"frames --draws compute --most mesh:9 --results " + path("r"), "--most"}})
