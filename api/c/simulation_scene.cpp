@@ -40,6 +40,17 @@ void require_none(bool given, const char* name) {
     refuse(fmt::format("{} is given, but without a contact law it has no meaning: name one, or leave it out", name));
 }
 
+// The axes along which the box repeats, as bits.
+uint repeats(const sp_scene& given) {
+  uint axes = 0;
+  for (uint axis = 0; axis < 3; ++axis) {
+    if (given.periodic[axis] > 1)
+      refuse(fmt::format("periodic[{}] is {}, but must be 0 or 1", axis, given.periodic[axis]));
+    axes |= uint(given.periodic[axis]) << axis;
+  }
+  return axes;
+}
+
 ContactChoice contacts_of(const sp_scene& given) {
   ContactChoice choice;
   if (given.contact) choice.law = contact_from_name(given.contact);
@@ -48,6 +59,7 @@ ContactChoice contacts_of(const sp_scene& given) {
     require_none(given.density != 0, "density");
     require_none(given.drag != 0, "drag");
     require_none(is_given(given.walls), "walls");
+    require_none(repeats(given) != 0, "periodic");
     return choice;
   }
   if (given.stiffness != 0) choice.stiffness = rounded(given.stiffness, "stiffness");
@@ -55,11 +67,13 @@ ContactChoice contacts_of(const sp_scene& given) {
   if (given.density != 0) choice.density = rounded(given.density, "density");
   choice.drag = rounded(given.drag, "drag");
   choice.walls = is_given(given.walls);
+  if (!choice.walls && repeats(given)) refuse("periodic is given, but no box that repeats: give its corners as walls");
   if (!choice.walls) return choice;
   const std::vector<vec4> corners = read_vectors(given.walls, "walls");
   if (corners.size() != 2)
     refuse(fmt::format("walls has {} rows, but must have 2: the lowest corner, the highest", corners.size()));
-  choice.box = WallBox{{corners[0].x, corners[0].y, corners[0].z}, {corners[1].x, corners[1].y, corners[1].z}};
+  choice.box =
+      WallBox{{corners[0].x, corners[0].y, corners[0].z}, {corners[1].x, corners[1].y, corners[1].z}, repeats(given)};
   return choice;
 }
 

@@ -30,7 +30,8 @@ class Sums {
   void add_pair(const Pair& pair) {
     const Body a = load_body(wide_, scene_.positions, pair.first), b = load_body(wide_, scene_.positions, pair.second);
     const Push push = push_of_pair(a, b, params_);
-    const double d[3] = {metres_ * double(a.x - b.x), metres_ * double(a.y - b.y), metres_ * double(a.z - b.z)};
+    const Ways way = ways_between(a, b, params_);
+    const double d[3] = {metres_ * double(way.x), metres_ * double(way.y), metres_ * double(way.z)};
     const double reach = double(a.radius) + double(b.radius), overlap = reach - std::hypot(d[0], d[1], d[2]);
     if (overlap <= 0) return;  // they collide only after their centres are rounded to float32
     ++sums_.contacts;
@@ -46,11 +47,12 @@ class Sums {
   void add_sphere(uint64_t i) {
     const Body s = load_body(wide_, scene_.positions, i);
     const double radius = double(s.radius), mass = sphere_mass(radius);
-    for (const int64_t gap : {s.x - params_.low_x, s.y - params_.low_y, s.z - params_.low_z, params_.high_x - s.x,
-                              params_.high_y - s.y, params_.high_z - s.z})
-      if (const double overlap = radius - metres_ * double(gap); overlap > 0)
+    const int64_t gaps[6] = {s.x - params_.low_x,  s.y - params_.low_y,  s.z - params_.low_z,
+                             params_.high_x - s.x, params_.high_y - s.y, params_.high_z - s.z};
+    for (uint wall = 0; wall < 6; ++wall)
+      if (const double overlap = radius - metres_ * double(gaps[wall]); overlap > 0 && all_walls(params_) >> wall & 1)
         ++sums_.wall_contacts, add_overlap(overlap, radius);
-    sums_.floor_force += force(push_of_wall(s.y - params_.low_y, s.py, s.radius, params_));
+    if (all_walls(params_) & 2) sums_.floor_force += force(push_of_wall(gaps[1], s.py, s.radius, params_));
     sums_.potential -= mass * double(scene_.gravity) * metres_ * double(s.y - params_.low_y);
     const Push contacts = {impulses_[i][0], impulses_[i][1], impulses_[i][2], FAULTS};
     const Body before = slowed(s, params_), after = kicked(before, contacts, push_of_walls(s, false, params_), params_);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "bench/io/report.h"
-#include "common/scene/scene_bounds.h"
 
 namespace spherepair {
 

@@ -21,7 +21,9 @@ std::string text_of_density(const Scene& scene) {
 
 std::string text_of_walls(const Scene& scene) {
   const auto box = box_of(scene);
-  return box ? fmt::format("walls: box from {} to {}\n", fmt::join(box->low, ", "), fmt::join(box->high, ", ")) : "";
+  if (!box) return "";
+  return fmt::format("{}: box from {} to {}\n", box->periodic ? "periodic along " + axes_text(box->periodic) : "walls",
+                     fmt::join(box->low, ", "), fmt::join(box->high, ", "));
 }
 
 }  // namespace

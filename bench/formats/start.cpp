@@ -71,13 +71,14 @@ void take_plane(Scene& scene, float plane, bool contacts) {
       fmt::format("sphere {} reaches down to y = {}, below the plane: give --plane {} or less", i, bottom(i), lower));
 }
 
-// Takes the walls of --walls from the file's box if it has one.
+// Takes the file's box if it is periodic, or if --walls closes it.
 ContactChoice contacts_of(const SphereFile& input, const MotionChoice& motion) {
   ContactChoice contact = contact_choice(motion);
-  if (!contact.walls || contact.box || !input.box) return contact;
-  if (motion.plane)
-    throw std::invalid_argument(
-        fmt::format("{} has a box, whose floor is at y = {}: omit --plane, or --walls", input.file, input.box->low[1]));
+  if (contact.law == ContactLaw::none || contact.box || !input.box) return contact;
+  if (!contact.walls && !contact.periodic && !input.box->periodic) return contact;
+  if (motion.plane && (contact.walls || (contact.periodic | input.box->periodic) & 2))
+    throw std::invalid_argument(fmt::format("{} has a box, whose floor is at y = {}: omit --plane{}", input.file,
+                                            input.box->low[1], contact.walls ? ", or --walls" : ""));
   contact.box = input.box;
   return contact;
 }
@@ -95,7 +96,7 @@ Start start_from(SphereFile input, const MotionChoice& motion) {
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
-  if (input.box && contact.law != ContactLaw::none && !input.scene.contact.walls)
+  if (input.box && contact.law != ContactLaw::none && !contact.box && !contact.walls)
     start.notes += fmt::format("{} has a box, which --walls closes; without it the spheres leave it\n", input.file);
   if (!input.units.empty() && input.units != "m")
     start.notes += fmt::format("WARNING: motion takes lengths for metres: 1 {} moves as 1 m does\n", input.units);
@@ -116,6 +117,7 @@ SphereFileOptions file_options(const StartOptions& options, int threads) {
           .decimal_comma = options.decimal_comma,
           .species = options.species,
           .ignore_periodic = options.ignore_periodic,
+          .moves_in_box = options.motion.contact.law != ContactLaw::none,
           .threads = threads};
 }
 

@@ -59,6 +59,7 @@ json contact_json(const ContactOptions& contact) {
                  {"walls", contact.walls},
                  {"unit_exponent", contact.unit_exponent},
                  {"momentum_exponent", contact.momentum_exponent}};
+  if (contact.periodic) record["periodic"] = axes_text(contact.periodic);
   if (contact.density != water) record["density"] = contact.density;  // earlier versions had only water
   return record;
 }

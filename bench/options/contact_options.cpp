@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The options of contacts that push.
+#include <set>
+
 #include "bench/options/options.h"
 
 namespace spherepair {
+namespace {
+
+CLI::Validator axes_of_a_box() {
+  const auto check = [](const std::string& text) {
+    const bool known = !text.empty() && text.find_first_not_of("xyz") == text.npos;
+    const bool once = std::set(text.begin(), text.end()).size() == text.size();
+    return known && once ? std::string() : text + " is not one or more of the axes x, y and z, such as xz";
+  };
+  return {check, "AXES"};
+}
+
+}  // namespace
 
 void add_contact_options(CLI::App& command, MotionChoice& motion) {
   ContactChoice& contact = motion.contact;
@@ -27,7 +41,8 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
   auto* walls =
       command.add_flag("--walls", contact.walls, "Close a box: that of the file, else one around the spheres");
   const auto take_box = [&contact](const std::vector<float>& corners) {
-    contact.box = {{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
+    contact.walls = true;
+    contact.box = WallBox{{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
   };
   command
       .add_option_function<std::vector<float>>("--box", take_box,
@@ -37,6 +52,14 @@ void add_contact_options(CLI::App& command, MotionChoice& motion) {
       ->check(real_number(-0x1p60, 0x1p60))
       ->needs(law)
       ->excludes(walls);
+  const auto take_axes = [&contact](const std::string& axes) {
+    for (const char axis : axes) contact.periodic |= 1u << (axis - 'x');
+  };
+  command
+      .add_option_function<std::string>("--periodic", take_axes,
+                                        "The box repeats along these axes, in place of walls: x, xz, xyz, ...")
+      ->needs(law)
+      ->check(axes_of_a_box());
 }
 
 }  // namespace spherepair

@@ -27,7 +27,7 @@ constexpr Group groups[] = {
      "--scene --n --seed --radius --radius-ratio --packing-fraction --groups --group-size --offset"},
     {"Spheres of a file", "--input --frame --columns --decimal-comma --ignore-periodic --resume --cutoff"},
     {"Motion", "--motion --precision --dt --restitution --gravity --plane --steps --until-step --time --until-rest"},
-    {"Contacts", "--contact --stiffness --density --drag --no-sleeping --walls --box"},
+    {"Contacts", "--contact --stiffness --density --drag --no-sleeping --walls --box --periodic"},
     {"Search", "--backend --backends --method --block --naive --swept"},
     {"Camera and look",
      "--azimuth --elevation --eye --target --up --field --near --size --samples --color --color-range --ground "

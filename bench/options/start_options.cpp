@@ -19,7 +19,7 @@ std::string scene_names() {
 constexpr const char* of_scene = "--scene --n --seed --radius-ratio --packing-fraction --groups --group-size --offset";
 constexpr const char* of_file = "--frame --columns --decimal-comma --ignore-periodic";
 constexpr const char* of_start =
-    "--input --radius --motion --precision --contact --walls --box --no-sleeping --density --plane";
+    "--input --radius --motion --precision --contact --walls --box --periodic --no-sleeping --density --plane";
 
 // Calls `act` with each of the options in `names`.
 void for_each(CLI::App& command, const std::string& names, const std::function<void(CLI::Option*)>& act) {

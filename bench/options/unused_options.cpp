@@ -67,14 +67,14 @@ void refuse_of_motion(const Given& given, const std::string& command) {
                                    : "on spheres that do not move: omit it, or give --steps";
   given.refuse(!moves && !given.any({"--save", "--swept"}),
                {"--motion", "--restitution", "--contact", "--stiffness", "--density", "--drag", "--no-sleeping",
-                "--walls", "--box", "--dt", "--gravity", "--plane"},
+                "--walls", "--box", "--periodic", "--dt", "--gravity", "--plane"},
                still);
   given.refuse(!moves, {"--per-step", "--save-every", "--statistics-every", "--trajectory-every"}, still);
 }
 
 void refuse_of_contacts(const Given& given) {
   given.refuse(given.is("--contact", {"none"}) && !given.has("--resume"),
-               {"--stiffness", "--density", "--drag", "--no-sleeping", "--walls", "--box"},
+               {"--stiffness", "--density", "--drag", "--no-sleeping", "--walls", "--box", "--periodic"},
                "without contacts: omit it, or give --contact spring");
   given.refuse(!given.has("--input") && given.is("--scene", {"gas", "bed"}), {"--walls", "--box"},
                "on a scene in a closed box of its own: omit it, or choose another --scene");

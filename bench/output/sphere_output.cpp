@@ -27,8 +27,9 @@ struct TextFormat {
 std::string text_of(const std::optional<WallBox>& box) {
   if (!box) return "";
   const auto edge = [&](size_t axis) { return double(box->high[axis]) - double(box->low[axis]); };
-  return fmt::format(" Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"F F F\"", edge(0), edge(1), edge(2),
-                     fmt::join(box->low, " "));
+  const auto repeats = [&](uint axis) { return box->periodic >> axis & 1 ? "T" : "F"; };
+  return fmt::format(" Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{} {} {}\"", edge(0), edge(1), edge(2),
+                     fmt::join(box->low, " "), repeats(0), repeats(1), repeats(2));
 }
 
 std::string xyz_head(size_t count, const std::optional<WallBox>& box, const std::string& keys) {

@@ -115,9 +115,21 @@ void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, co
   input.format = fmt::format("({}){}", columns.text, lines.spheres > 0 ? ": " + describe(columns) : "");
 }
 
+std::optional<WallBox> box_along_axes(const ListBox& box, const Point3& low) {
+  WallBox along;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    for (size_t other = 0; other < 3; ++other)
+      if (axis == other ? !(box.rows[axis][axis] > 0) : box.rows[axis][other] != 0) return std::nullopt;
+    along.low[axis] = float(low[axis]);
+    along.high[axis] = float(low[axis] + box.rows[axis][axis]);
+    along.periodic |= uint(box.periodic[axis]) << axis;
+  }
+  return along;
+}
+
 // A command that does not search across periodic boundaries would lose pairs of such a file silently.
 void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
-                       const char* wanted, const SphereFileOptions& options, SphereFile& input) {
+                       const char* wanted, const SphereFileOptions& options, SphereFile& input, const Point3& low) {
   const auto fail = [&](std::string_view expected) {
     throw std::invalid_argument(fmt::format("{}: expected {}, found {}", where, expected, text));
   };
@@ -125,11 +137,16 @@ void take_periodic_box(const std::string& where, const std::string& text, const 
     input.ignored = text;
     return;
   }
-  if (!options.exact)
+  if (!options.exact && !options.moves_in_box)
     fail(
-        "spheres without a periodic box, since only `pairs` finds pairs across its boundary "
+        "spheres without a periodic box, since only `pairs` and runs with --contact find pairs across its boundary "
         "(take only those inside it with --ignore-periodic)");
   if (!box) fail(fmt::format("{} (or take only pairs inside it with --ignore-periodic)", wanted));
+  if (options.moves_in_box) {
+    input.box = box_along_axes(*box, low);
+    if (!input.box) fail("a periodic box along the axes, since contacts move in no other (or give --ignore-periodic)");
+    return;
+  }
   input.given.boxes = {*box}, input.periodic = text;
 }
 

@@ -154,8 +154,9 @@ class LammpsFrames final : public Frames {
     const DumpBox& box = frame.box;
     SphereFile input;
     take_periodic_box(fmt::format("{}, line {}", file_.name(), box.line),
-                      box.box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "", options_, input);
-    if (box.flags == "ffffff" && box.along_axes) input.box = walls(box);
+                      box.box.is_open() ? "" : fmt::format("BOX BOUNDS {}", box.text), box.box, "", options_, input,
+                      box.low);
+    if (box.flags == "ffffff" && box.along_axes) input.box = box_along_axes(box.box, box.low);
     read_sphere_lines(file_, frame.names_line, columns_of_dump(file_, frame, options_), frame.lines, options_, rows,
                       input);
     input.format = "LAMMPS dump " + input.format;
@@ -163,15 +164,6 @@ class LammpsFrames final : public Frames {
   }
 
  private:
-  static WallBox walls(const DumpBox& box) {
-    WallBox walls;
-    for (size_t axis = 0; axis < 3; ++axis) {
-      walls.low[axis] = float(box.low[axis]);
-      walls.high[axis] = float(box.low[axis] + box.box.rows[axis][axis]);
-    }
-    return walls;
-  }
-
   const FileBytes& file_;
   const SphereFileOptions& options_;
   std::vector<DumpFrame> frames_;

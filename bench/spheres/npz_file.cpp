@@ -166,6 +166,7 @@ SphereFile read_npz(const FileBytes& file, const SphereFileOptions& options, Sph
   read_box(archive, options, boxed);
   SphereFile input = all ? read_npy(all->file, options, rows) : read_arrays(file, archive, options, rows);
   input.given.boxes = boxed.given.boxes, input.periodic = boxed.periodic, input.ignored = boxed.ignored;
+  input.box = boxed.box;
   input.format = fmt::format("NPZ {}", all ? in_quotes(all->name) + ": " + input.format : input.format);
   return input;
 }

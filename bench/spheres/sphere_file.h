@@ -21,7 +21,8 @@ struct SphereFileOptions {
   bool ignore_radii = false;              // of the file: all spheres get the option's
   bool species = false;                   // reads a column of text; an error for formats without species
   bool ignore_periodic = false;           // a periodic box is an error otherwise ...
-  bool exact = false;                     // ... but for `given`, which is filled in place of the scene
+  bool moves_in_box = false;              // ... but for motion with contacts, which takes it as `box` ...
+  bool exact = false;                     // ... and for `given`, which is filled in place of the scene
   int threads = 0;                        // 0: all cores
 };
 
@@ -36,7 +37,7 @@ struct SphereFile {
   std::string periodic;              // the periodic box in the file's words, if `given` has one
   std::string ignored;               // the periodic box, if ignored
   std::string unread_box;            // a comment that mentions a box
-  std::optional<WallBox> box = {};   // along the axes, none of them periodic
+  std::optional<WallBox> box = {};   // along the axes
   std::string units;                 // of lengths, in the file's words; empty if it has none
   bool at_rest = true;               // no sphere of the file has a velocity
   float largest_rounding = 0;        // how far it moved a surface at most

@@ -166,21 +166,19 @@ PeriodicBox periodic_box(const Comment& comment) {
           .mention = text.empty() && mentions_box(comment.text) ? std::string(comment.text) : ""};
 }
 
+std::optional<Point3> origin_of(const Comment& comment) {
+  const CommentPair* given = find_pair(comment, "origin");
+  if (!given) return Point3{};
+  const auto numbers = numbers_of(*given->value, 3);
+  return numbers ? std::optional(Point3{(*numbers)[0], (*numbers)[1], (*numbers)[2]}) : std::nullopt;
+}
+
 std::optional<WallBox> closed_box(const Comment& comment) {
   const CommentPair *lattice = find_pair(comment, "lattice"), *pbc = find_pair(comment, "pbc");
   if (!lattice || !pbc || !periodic_box(comment).text.empty()) return std::nullopt;
-  const auto edges = numbers_of(*lattice->value, 9);
-  const CommentPair* given = find_pair(comment, "origin");
-  const auto origin = given ? numbers_of(*given->value, 3) : std::vector<double>(3, 0);
-  if (!edges || !origin) return std::nullopt;
-  for (size_t k = 0; k < 9; ++k)
-    if (k % 4 == 0 ? !((*edges)[k] > 0) : (*edges)[k] != 0) return std::nullopt;
-  WallBox box;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = float((*origin)[axis]);
-    box.high[axis] = float((*origin)[axis] + (*edges)[4 * axis]);
-  }
-  return box;
+  const auto box = box_of(lattice, std::vector<std::optional<bool>>(3, false));
+  const auto origin = origin_of(comment);
+  return box && origin ? box_along_axes(*box, *origin) : std::nullopt;
 }
 
 }  // namespace spherepair

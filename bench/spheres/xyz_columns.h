@@ -41,4 +41,7 @@ PeriodicBox periodic_box(const Comment& comment);
 // The box of a comment line with Lattice and pbc="F F F": the corner is Origin, or 0, and the edges lie along the axes.
 std::optional<WallBox> closed_box(const Comment& comment);
 
+// Its Origin, or 0; none if it is not three numbers.
+std::optional<Point3> origin_of(const Comment& comment);
+
 }  // namespace spherepair

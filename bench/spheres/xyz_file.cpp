@@ -69,8 +69,8 @@ void read_box(const Comment& comment, const SphereFileOptions& options, SphereFi
   const PeriodicBox box = periodic_box(comment);
   take_periodic_box(fmt::format("{}, line {}", comment.file.name(), comment.line), box.text, box.box,
                     "a periodic box as Lattice=\"...\" of nine numbers, its three vectors, with pbc=\"T T F\"", options,
-                    input);
-  if (!input.periodic.empty()) return;
+                    input, origin_of(comment).value_or(Point3{}));
+  if (!input.periodic.empty() || input.box) return;
   input.box = closed_box(comment);
   if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);
   input.unread_box = options.ignore_periodic ? "" : box.mention;

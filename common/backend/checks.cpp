@@ -29,6 +29,13 @@ void check_collide(const CollideOptions& options) {
         fmt::format("a graph holds {} steps at most, not {}", fmt::join(graph_sizes, ", "), *steps));
 }
 
+void check_images(const CollideOptions& options) {
+  if (!options.exact || options.swept || options.method == Method::collide_group)
+    throw std::invalid_argument(
+        "in a periodic box pairs are found of all spheres, where they are now, and with the exact test only: omit the "
+        "naive test, pairs within the next step and the method collide_group");
+}
+
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust) {
   const auto need = [&](std::optional<bool> wanted, std::optional<bool> there, const char* what, const char* who) {
     if (wanted.value_or(false) && !there.value_or(false))

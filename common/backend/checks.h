@@ -9,6 +9,9 @@ namespace spherepair {
 // Throws std::invalid_argument for options that exclude each other.
 void check_collide(const CollideOptions& options);
 
+// Throws std::invalid_argument for searches that a periodic box does not have.
+void check_images(const CollideOptions& options);
+
 // Throws std::invalid_argument that names an API option which `options` asks for and `offered` lacks. thrust: whether
 // the backend has the radix sort of Thrust.
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust);

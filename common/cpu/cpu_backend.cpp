@@ -98,7 +98,10 @@ class CpuBackend final : public Backend, public Drawing {
   void collide(const CollideOptions& options) override {
     motion_.require_sound();
     const auto& positions = motion_.positions(threads_);
+    if (motion_.periodic()) check_images(options);
     const Method method = search_.prepare(options, positions);
+    if (motion_.periodic())
+      return clock_.time(method_name(method), [&] { search_.run_images(positions, motion_.near_pairs()); });
     if (options.swept) motion_.require_movable(), motion_.evaluate_state(threads_);
     const State state = options.swept ? motion_.state() : State{};
     const bool anchored = motion_.options().method == MotionMethod::anchored;

@@ -28,13 +28,40 @@ void CpuContacts::upload(const Scene& scene) {
   search_.upload(grown);
 }
 
-void CpuContacts::list_near_pairs(const std::vector<vec4>& positions) {
+// Adds the images of a periodic box to the grown spheres; returns the sphere of each.
+std::vector<uint> CpuContacts::add_images(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
+  std::vector<uint> image_of_sphere;
+  grown_.resize(positions.size());
+  if (!periodic()) return image_of_sphere;
+  for (uint64_t i = 0; i < positions.size(); ++i) {
+    const uint faces = image_faces(grown_[i], params_);
+    for (uint image = FIRST_IMAGE; image < END_OF_IMAGES && faces; ++image) {
+      if (!image_is_needed(image, faces)) continue;
+      grown_.push_back(sphere_of_image(load_body(wide, positions, i), image, grown_[i].w, params_));
+      image_of_sphere.push_back(uint(i));
+    }
+  }
+  return image_of_sphere;
+}
+
+const std::vector<Pair>& CpuContacts::near_pairs(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
+  search_.moved();
+  list_near_pairs(wide, positions);
+  return near_;
+}
+
+void CpuContacts::list_near_pairs(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
 #pragma omp parallel for num_threads(threads_) schedule(static) if (positions.size() > many_moves)
   for (uint64_t i = 0; i < positions.size(); ++i) {
     if (is_too_far(positions[i], params_)) record(FAULT_RANGE, i);
     grown_[i] = grown_sphere(positions[i], params_);
   }
+  const std::vector<uint> sphere_of = add_images(wide, positions);
   near_ = search_.list_pairs(grown_);
+  const uint n = uint(positions.size());
+  std::erase_if(near_, [n](const Pair& pair) { return pair.first >= n; });  // of two images
+  for (Pair& pair : near_)
+    if (pair.second >= n) pair = {pair.first, sphere_of[pair.second - n]};
   std::ranges::fill(rest_, REST_MOVED);
   left_skin_ = false;
 }
@@ -62,10 +89,10 @@ void CpuContacts::push(const std::vector<uint>& wide, const std::vector<vec4>& p
   for (const Pair& pair : near_) {
     const bool rests[2] = {is_at_rest(pair.first), is_at_rest(pair.second)};
     if (rests[0] && rests[1]) continue;
-    if (is_apart(positions[pair.first], positions[pair.second])) continue;
+    if (is_apart(positions[pair.first], positions[pair.second], params_)) continue;
     const FloatPush push =
         float_push_of_pair(load_body(wide, positions, pair.first), load_body(wide, positions, pair.second), params_);
-    record(push.fault, pair.first);
+    record(push.fault, std::min(pair.first, pair.second));
     const float values[3] = {push.x, push.y, push.z};
     for (uint64_t axis = 0; axis < 3; ++axis) {
       const uint64_t first = axis * n + pair.first, second = axis * n + pair.second;
@@ -81,7 +108,7 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
   if (has_faults(failed_.faults)) return;
   const uint64_t n = positions.size();
   search_.moved();
-  if (left_skin_ || !keeps_) list_near_pairs(positions);
+  if (left_skin_ || !keeps_) list_near_pairs(wide, positions);
   if (may_sleep_) awaken();
   push(wide, positions);
   bool left = false;
@@ -103,7 +130,7 @@ void CpuContacts::step(std::vector<uint>& wide, std::vector<vec4>& positions, st
     positions[i] = centre_of(s, params_);
     velocities[i] = velocity_of(speeds, params_);
     if (may_sleep_) rest_[i] = is_same(s, before) ? REST_SAME : REST_MOVED;
-    left = left || has_left_skin(positions[i], grown_[i]);
+    left = left || has_left_skin(positions[i], grown_[i], params_);
   }
   left_skin_ = left;
   ++failed_.number;

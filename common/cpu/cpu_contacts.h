@@ -24,12 +24,17 @@ class CpuContacts {
   // velocities get its numbers, rounded to float32.
   void step(std::vector<uint>& wide, std::vector<vec4>& positions, std::vector<vec4>& velocities);
 
+  bool periodic() const { return periodic_axes(params_) != 0; }
+  // Lists the near pairs anew, of which some collide now, also across faces of a periodic box.
+  const std::vector<Pair>& near_pairs(const std::vector<uint>& wide, const std::vector<vec4>& positions);
+
   // Throws std::invalid_argument, naming the sphere, if a step since the upload was not possible. No step is taken
   // after such a one.
   void require_sound() const;
 
  private:
-  void list_near_pairs(const std::vector<vec4>& positions);
+  void list_near_pairs(const std::vector<uint>& wide, const std::vector<vec4>& positions);
+  std::vector<uint> add_images(const std::vector<uint>& wide, const std::vector<vec4>& positions);
   void awaken();
   bool is_at_rest(uint64_t i) const { return may_sleep_ && rest_[i] == REST_SAME; }
   void push(const std::vector<uint>& wide, const std::vector<vec4>& positions);
@@ -41,7 +46,7 @@ class CpuContacts {
   bool tests_all_walls_ = false;
   std::vector<int64_t> impulses_;  // as SLOT_IMPULSE
   FailedStep failed_;              // faults as SLOT_FAULT; the other fields only if there are any
-  std::vector<vec4> grown_;        // as SLOT_GROWN
+  std::vector<vec4> grown_;        // as SLOT_GROWN, with images
   std::vector<Pair> near_;         // as SLOT_NEAR
   std::vector<uint> rest_;         // as SLOT_REST
   bool left_skin_ = true, keeps_ = true, may_sleep_ = false;

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "common/backend/checks.h"
-#include "common/scene/scene_bounds.h"
 #include "common/scene/scene_params.h"
 #include "common/shared/motion.h"
 

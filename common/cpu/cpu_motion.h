@@ -28,6 +28,8 @@ class CpuMotion {
   void require_movable() const;
   void require_sound() const { contacts_.require_sound(); }
   void set_event_driven(bool on) { event_driven_ = on; }
+  bool periodic() const { return contacts_.periodic(); }
+  const std::vector<Pair>& near_pairs() { return contacts_.near_pairs(kept_.wide, positions_); }
   void keep_near_pairs(bool on) { contacts_.keep_list(on); }
   uint64_t contact_searches() const { return contacts_.searches(); }
 

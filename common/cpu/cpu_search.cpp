@@ -64,14 +64,23 @@ Method CpuSearch::prepare(const CollideOptions& options, const std::vector<vec4>
   return options_.method;
 }
 
-void CpuSearch::run(const std::vector<vec4>& positions, const Motion::State& state, const MotionState& saved) {
+SearchInput CpuSearch::begin_run(const std::vector<vec4>& positions) {
   params_.search = constants_[options_.exact];
   if (!options_.filter) leave_all_undecided(params_.search);
-  const SearchInput input{positions, params_, equal_radii_ && !options_.load_radii, options_, threads_};
+  const bool equal_radii = equal_radii_ && !options_.load_radii;
   ++work_.steps;
-  work_.without_radii += input.equal_radii;
+  work_.without_radii += equal_radii;
   work_.lists += options_.want_pairs;
   found_.reset();
+  return {positions, params_, equal_radii, options_, threads_};
+}
+
+void CpuSearch::run_images(const std::vector<vec4>& positions, std::span<const Pair> near) {
+  found_ = search_images(begin_run(positions), near);
+}
+
+void CpuSearch::run(const std::vector<vec4>& positions, const Motion::State& state, const MotionState& saved) {
+  const SearchInput input = begin_run(positions);
   if (options_.swept) {
     CpuSearch near(info_, threads_);
     const auto list = [&](const Scene& grown) {
@@ -93,6 +102,8 @@ void CpuSearch::run(const std::vector<vec4>& positions, const Motion::State& sta
 
 const std::vector<Pair>& CpuSearch::list_pairs(const std::vector<vec4>& positions, CollideOptions options) {
   options.want_pairs = true;
+  n_ = positions.size();  // with images of a periodic box they are now more, now fewer
+  params_.n = uint(n_);
   prepare(options, positions);
   run(positions);
   return pairs();
@@ -105,7 +116,8 @@ const PairsFound& CpuSearch::found() const {
 
 std::vector<uint> CpuSearch::counts() const {
   const PairsFound& last = found();
-  return options_.method == Method::collide_grid && !options_.swept ? grid_.counts(threads_) : last.counts;
+  const bool of_near_pairs = options_.swept || periodic_axes(params_.contact) != 0;
+  return options_.method == Method::collide_grid && !of_near_pairs ? grid_.counts(threads_) : last.counts;
 }
 
 const std::vector<Pair>& CpuSearch::pairs() const {

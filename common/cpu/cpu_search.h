@@ -24,6 +24,9 @@ class CpuSearch {
   // Runs the prepared search. Only a swept search needs `state` and `saved`.
   void run(const std::vector<vec4>& positions, const Motion::State& state = {}, const MotionState& saved = {});
 
+  // Decides these near pairs instead, in the scene's periodic box.
+  void run_images(const std::vector<vec4>& positions, std::span<const Pair> near);
+
   // Returns the colliding pairs of these positions, in any order.
   const std::vector<Pair>& list_pairs(const std::vector<vec4>& positions,
                                       CollideOptions options = {.method = Method::automatic});
@@ -39,6 +42,7 @@ class CpuSearch {
 
  private:
   const PairsFound& found() const;
+  SearchInput begin_run(const std::vector<vec4>& positions);
   void replan_if_needed(const std::vector<vec4>& positions, const CollideOptions& options);
   PairsFound search_cells(const SearchInput& input);
 

@@ -44,7 +44,7 @@ struct ListLook;
   three(AXIS, AxisBuffer, axis, "state")                                      \
   three(IMPULSE, int64_t*, impulse, "impulses")                               \
   one(GROWN, vec4*, grown, "grown spheres")                                   \
-  one(NEAR, const uvec2*, near, "near pairs")                                 \
+  one(NEAR, uvec2*, near, "near pairs")                                       \
   one(FAULT, uint*, fault, "faults")                                          \
   one(ROW_LENGTH, uint*, row_length, "lengths of rows")                       \
   one(REST, uint*, rest, "rest of the spheres")                               \
@@ -61,5 +61,6 @@ struct ListLook;
   one(LIST_EXCLUDED, const uvec2*, list_excluded, "pairs that are left out")  \
   one(LIST_KEY, uint*, list_keys, "keys of pairs")                     \
   one(LIST_BIN, uvec2*, list_bins, "bins of points")                          \
-  one(LIST_LONG, uint*, list_long, "groups with long rows")
+  one(LIST_LONG, uint*, list_long, "groups with long rows")                   \
+  one(IMAGE_OF, uint*, image_of, "spheres of images")
 // clang-format on

@@ -22,6 +22,7 @@ struct DeviceContext {
   LazyPipeline other_pipeline;  // for an API without its own pipeline
   Params params{};              // each component sets its struct; sent to the device when it changes
   uint64_t n = 0;               // spheres
+  uint64_t room = 0;            // spheres that buffers have room for, at least n
   bool equal_radii = true;
   uint near_pairs = 0;   // pairs in SLOT_NEAR
   uint64_t moves = 0;    // number of moves; results record it, and are current while it stays the same
@@ -29,7 +30,7 @@ struct DeviceContext {
 
   // Sets the number of spheres and their radii, from a scene or for a search beside it.
   void set_spheres(const Scene& scene) {
-    n = scene.size();
+    n = room = scene.size();
     equal_radii = scene.equal_radii;
     buffers.set_spheres(n);
     params.n = uint(n);

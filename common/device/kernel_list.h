@@ -10,7 +10,8 @@
   each(move, position | velocity | wide, position | velocity | count | summary | wide) \
   each(bounce, velocity | anchor | flight | since | next_event, flight | since | next_event) \
   each(evaluate_positions, velocity | anchor | flight | since, position | velocity | count | summary | wide) \
-  each(contact_grow, position | fault, grown | fault | rest) \
+  each(contact_grow, position | axis | fault | image_of, grown | fault | rest | image_of) \
+  each(contact_images, near | image_of, near) \
   each(contact_pairs, position | axis | impulse | near | fault | rest, impulse | fault | rest) \
   each(leapfrog, position | axis | impulse | grown | fault | rest, \
        position | velocity | count | summary | axis | impulse | fault | rest) \
@@ -40,6 +41,7 @@
   each(collide_group, position | count | summary, count | summary | deferred | listed) \
   each(collide_tiled, position | count | summary, count | summary | deferred | listed) \
   each(collide_swept, position | count | summary | grown | near, count | summary | listed) \
+  each(collide_images, position | count | summary | near, count | summary | listed) \
   each(collide_square, position | count | summary, count | summary | deferred | listed) \
   each(collide_triangle, position | count | summary | id, count | summary | deferred | listed) \
   each(draw_clear, visible | drawn | seen_left, visible | drawn | seen_left | seen_list) \

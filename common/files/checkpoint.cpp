@@ -28,7 +28,7 @@ struct Header {
 static_assert(sizeof(Header) == 64);
 
 struct ContactHeader {
-  uint law, walls;
+  uint law, walls;  // bit 0 of walls: they close; bits 1 to 3: the box is periodic along x, y, z
   int unit_exponent, momentum_exponent;
   float stiffness, low[3], high[3];
   float drag;     // from version 3 on
@@ -105,7 +105,7 @@ Header read_header(Reader& reader) {
 
 ContactHeader header_of(const ContactOptions& c) {
   return {uint(c.law),
-          c.walls,
+          uint(c.walls) | c.periodic << 1,
           c.unit_exponent,
           c.momentum_exponent,
           c.stiffness,
@@ -118,7 +118,7 @@ ContactHeader header_of(const ContactOptions& c) {
 
 ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHeader& c) {
   const bool leaps = header.method == MOTION_LEAPFROG && header.precision == PRECISION_FIXED;
-  const bool known = c.law != CONTACT_NONE && c.law <= CONTACT_HERTZ && c.walls <= 1;
+  const bool known = c.law != CONTACT_NONE && c.law <= CONTACT_HERTZ && c.walls <= 15;
   if (!leaps || !known || std::abs(c.unit_exponent) > 100 || std::abs(c.momentum_exponent) > 200)
     reader.fail("the leapfrog in fixed precision, a known law of contacts, and its units",
                 fmt::format("method {}, precision {}, law {}, units 2^-{} and 2^-{}", header.method, header.precision,
@@ -127,9 +127,10 @@ ContactOptions contacts_of(Reader& reader, const Header& header, const ContactHe
           .stiffness = c.stiffness,
           .density = c.density,
           .drag = c.drag,
-          .walls = c.walls != 0,
+          .walls = (c.walls & 1) != 0,
           .low = {c.low[0], c.low[1], c.low[2], 0},
           .high = {c.high[0], c.high[1], c.high[2], 0},
+          .periodic = c.walls >> 1,
           .unit_exponent = c.unit_exponent,
           .momentum_exponent = c.momentum_exponent,
           .skin = c.skin};
@@ -235,8 +236,7 @@ Checkpoint read_checkpoint(const FileBytes& file) {
   }
   scene.dt = header.dt, scene.gravity = header.gravity, scene.plane = header.plane;
   scene.restitution = header.restitution, scene.equal_radii = header.equal_radii != 0;
-  checkpoint.motion.steps = header.anchored_steps;
-  checkpoint.step = header.step;
+  checkpoint.motion.steps = header.anchored_steps, checkpoint.step = header.step;
   if (contacts) checkpoint.motion.contact_steps = header.step;
   visit_all(checkpoint, [&](const std::string& name, auto& part) {
     read_part(reader, name, part, name == "positions" ? header.n : wanted_size(checkpoint, &part));

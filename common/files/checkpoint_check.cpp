@@ -11,7 +11,6 @@
 #include "common/cpu/cpu_motion.h"
 #include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
-#include "common/scene/scene_bounds.h"
 #include "common/scene/scene_params.h"
 #include "common/shared/contact/contact.h"
 

@@ -66,6 +66,22 @@ std::string why_no_room(const Scene& scene) {
   return "";
 }
 
+std::string why_no_images(const Scene& scene) {
+  const ContactOptions& contact = scene.contact;
+  if (contact.periodic & 2 && scene.gravity != 0)
+    return fmt::format(
+        "the box is periodic along y, where gravity is {} m/s^2: spheres would fall for ever; omit y, or "
+        "give --gravity 0",
+        scene.gravity);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const double period = period_of(scene, axis); period != 0 && !(period > least_period(scene)))
+      return fmt::format(
+          "the periodic box is {:.6g} m along {}, but must be longer than {:.6g} m, two diameters and the skins of the "
+          "largest spheres: give a longer box, or leave {} out of the periodic axes",
+          period, "xyz"[axis], least_period(scene), "xyz"[axis]);
+  return "";
+}
+
 // Checks the start only: later in a run spheres may be faster, with shorter contacts, and farther out.
 std::string why_no_start(const Scene& scene) {
   const Radii r = radii_of(scene);
@@ -153,6 +169,7 @@ std::string why_no_contacts(const Scene& scene, Origin origin) {
   std::string why = why_no_law(scene);
   if (why.empty()) why = why_beyond_float32(scene);
   if (why.empty() && starts) why = why_no_start(scene);
+  if (why.empty()) why = why_no_images(scene);
   if (why.empty()) why = why_no_room(scene);
   if (why.empty() && starts) why = why_no_drag(scene);
   if (why.empty() && starts) why = why_too_fast(scene);

@@ -20,38 +20,6 @@ double squared(double x) { return x * x; }
 
 int bits_above(double x) { return int(std::ceil(std::log2(x))); }
 
-void take_box(Scene& scene, const WallBox& box) {
-  const auto& [low, high] = box;
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(low[axis] < high[axis]))
-      throw std::invalid_argument(fmt::format("the box is from {} to {} along {}: give the lower corner first",
-                                              low[axis], high[axis], "xyz"[axis]));
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const vec4& s = scene.positions[i];
-    const float at[3] = {s.x, s.y, s.z};
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(low[axis] < at[axis] && at[axis] < high[axis]))
-        throw std::invalid_argument(
-            fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: give a larger --box",
-                        i, "xyz"[axis], at[axis], low[axis], high[axis]));
-  }
-  scene.plane = low[1];
-  scene.contact.walls = true;
-  scene.contact.low = {low[0], low[1], low[2], 0}, scene.contact.high = {high[0], high[1], high[2], 0};
-}
-
-void choose_box(Scene& scene, bool walls) {
-  ContactOptions& contact = scene.contact;
-  if (contact.walls || !walls || scene.positions.empty()) return;
-  contact.walls = true;
-  contact.low = {INFINITY, scene.plane, INFINITY, 0}, contact.high = {-INFINITY, -INFINITY, -INFINITY, 0};
-  for (const vec4& s : scene.positions) {
-    contact.low.x = std::min(contact.low.x, s.x - s.w), contact.high.x = std::max(contact.high.x, s.x + s.w);
-    contact.low.z = std::min(contact.low.z, s.z - s.w), contact.high.z = std::max(contact.high.z, s.z + s.w);
-    contact.high.y = std::max(contact.high.y, s.y + s.w);
-  }
-}
-
 // Chooses units with which positions and walls take 51 of 63 bits and the fastest sphere's momentum 56.
 void choose_units(Scene& scene) {
   const Radii r = radii_of(scene);
@@ -84,12 +52,6 @@ double highest_speed(const Scene& scene) {
   return highest > slowest_start * double(r.smallest) ? highest : double(r.smallest);
 }
 
-std::optional<WallBox> box_of(const Scene& scene) {
-  const auto& [low, high] = std::pair(scene.contact.low, scene.contact.high);
-  if (!scene.contact.walls) return std::nullopt;
-  return WallBox{{low.x, scene.plane, low.z}, {high.x, high.y, high.z}};
-}
-
 double farthest_coordinate(const vec4& s) {
   return std::max({std::abs(double(s.x)), std::abs(double(s.y)), std::abs(double(s.z))});
 }
@@ -107,7 +69,7 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
   scene.motion = {MotionMethod::leapfrog, Precision::fixed};
   scene.contact.law = choice.law;
   scene.contact.drag = choice.drag, scene.contact.sleeping = choice.sleeping;
-  choice.box ? take_box(scene, *choice.box) : choose_box(scene, choice.walls);
+  choose_box(scene, choice);
   if (radii_of(scene).smallest <= 0) throw std::invalid_argument("contacts need radii above 0: give every sphere one");
   const double largest = double(radii_of(scene).largest), overlap = wanted_overlap * largest;
   const double needed = sphere_mass(largest) / 4 * squared(2 * highest_speed(scene));
@@ -139,7 +101,7 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
 double extent_of(const Scene& scene) {
   double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
   for (const vec4& s : scene.positions) extent = std::max(extent, farthest_coordinate(s));
-  if (scene.contact.walls)
+  if (box_of(scene))
     for (const vec4& s : {scene.contact.low, scene.contact.high}) extent = std::max(extent, farthest_coordinate(s));
   return extent;
 }
@@ -152,8 +114,15 @@ bool units_are_fine(const Scene& scene) {
   return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
 }
 
+// Of ways between images, see periodic.h: 2^-24 of five periods covers what centre_rounding has to add.
+double image_rounding(const Scene& scene) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) sum += period_of(scene, axis);
+  return 5 * 0x1p-24 * sum;
+}
+
 float skin_of(const Scene& scene) {
-  const double rounding = 3 * 1.25 * 0x1p-23 * extent_of(scene);
+  const double rounding = 3 * 1.25 * 0x1p-23 * extent_of(scene) + image_rounding(scene);
   return float(std::max(least_skin, 4 * rounding / double(radii_of(scene).smallest)));
 }
 
@@ -166,6 +135,7 @@ double contact_time(const Scene& scene) {
 Scene grown_scene(const Scene& scene) {
   const ContactParams c = contact_params(scene);
   Scene grown = scene;
+  grown.contact.periodic = 0;  // its images are spheres of their own
   for (vec4& sphere : grown.positions) sphere = grown_sphere(sphere, c);
   return grown;
 }
@@ -201,12 +171,16 @@ ContactParams contact_params(const Scene& scene) {
   const double order = contact.law == ContactLaw::quartic ? 3 : contact.law == ContactLaw::hertz ? 1.5 : 1;
   const auto wall = [&](float at) { return integer_of(std::ldexp(at, s)); };
   constexpr int64_t none = 2 * MOST_UNITS;
-  return {.low_x = contact.walls ? wall(contact.low.x) : -none,
+  const auto repeats = [&](int axis) { return (contact.periodic >> axis & 1) != 0; };
+  const auto low = [&](int axis, float at) { return contact.walls || repeats(axis) ? wall(at) : -none; };
+  const auto high = [&](int axis, float at) { return contact.walls || repeats(axis) ? wall(at) : none; };
+  const auto corner = [&](int axis, float at) { return repeats(axis) ? at : 0.0f; };
+  return {.low_x = low(0, contact.low.x),
           .low_y = wall(scene.plane),
-          .low_z = contact.walls ? wall(contact.low.z) : -none,
-          .high_x = contact.walls ? wall(contact.high.x) : none,
-          .high_y = contact.walls ? wall(contact.high.y) : none,
-          .high_z = contact.walls ? wall(contact.high.z) : none,
+          .low_z = low(2, contact.low.z),
+          .high_x = high(0, contact.high.x),
+          .high_y = high(1, contact.high.y),
+          .high_z = high(2, contact.high.z),
           .law = uint(contact.law),
           .unit_exponent = s,
           .reach_exponent = reach,
@@ -218,7 +192,11 @@ ContactParams contact_params(const Scene& scene) {
           .fastest = std::ldexp(r.smallest, s),
           .skin = contact.skin,
           .drag_loss = float(-std::expm1(-half_step_of_drag(scene))),
-          .sleeping = 0};
+          .sleeping = 0,
+          .box_low = {corner(0, contact.low.x), corner(1, scene.plane), corner(2, contact.low.z),
+                      float(image_rounding(scene))},
+          .box_high = {corner(0, contact.high.x), corner(1, contact.high.y), corner(2, contact.high.z),
+                       r.largest * (1 + 2 * contact.skin)}};
 }
 
 }  // namespace spherepair

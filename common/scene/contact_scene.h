@@ -8,7 +8,7 @@
 
 #include "common/scene/contact/contact_law.h"
 #include "common/scene/motion_state.h"
-#include "common/scene/scene_bounds.h"
+#include "common/scene/scene.h"
 #include "common/shared/contact/contact.h"
 
 namespace spherepair {
@@ -21,17 +21,21 @@ struct ContactChoice {
   float density = water;         // kg/m^3
   float drag = 0;                // in 1/s, see ContactOptions
   bool sleeping = true;
-  bool walls = false;               // close a box around the spheres if the scene has none ...
-  std::optional<WallBox> box = {};  // ... or close this one; its lowest face is the plane
+  bool walls = false;               // close a box along the axes that are not periodic: the scene's ...
+  std::optional<WallBox> box = {};  // ... or this one, else one around the spheres; its lowest face is the plane
+  uint periodic = 0;                // bits x, y, z: the scene's box or this one repeats along these axes, too
 };
 
 // Sets the scene's contacts, motion and time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
+// Sets their box alone.
+void choose_box(Scene& scene, const ContactChoice& choice);
+
 // Returns the density of the spheres in that of water. Forces and energies grow by this factor.
 inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }
 
-std::optional<WallBox> box_of(const Scene& scene);  // the box of its walls
+std::optional<WallBox> box_of(const Scene& scene);  // the box of its walls, or the one that repeats
 
 Radii radii_of(const Scene& scene);
 
@@ -43,6 +47,8 @@ double highest_speed_of(const Scene& scene, uint64_t i);
 // Returns the speed in m/s that the default stiffness stops: the highest of all spheres. It is at least the speed for
 // which the weight of a largest sphere alone presses it in by 1 %. If nothing moves, it is a smallest radius a second.
 double highest_speed(const Scene& scene);
+
+double period_of(const Scene& scene, int axis);  // of its box, in metres; 0: not periodic
 
 double farthest_coordinate(const vec4& sphere);
 
@@ -83,6 +89,9 @@ std::string why_beyond_float32(const Scene& scene);
 
 // Whether spheres can come to rest to the bit, so that steps skip them. Only drag does that (NOTES/contacts).
 inline bool may_sleep(const Scene& scene) { return scene.contact.drag > 0 && scene.contact.sleeping; }
+
+// Returns how long a box has to be along periodic axes: two spheres then touch through one image at most (periodic.h).
+double least_period(const Scene& scene);
 
 // Returns the spheres with radii grown by the skin. Their colliding pairs are the near pairs, which serve many steps.
 Scene grown_scene(const Scene& scene);

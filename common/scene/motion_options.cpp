@@ -58,6 +58,13 @@ std::string motion_label(MotionOptions motion) {
 MotionMethod motion_from_name(const std::string& name) {
   return MotionMethod(index_of_name(std::span(motion_names).first(free_methods), name, "motion method"));
 }
+std::string axes_text(uint axes) {
+  std::string text;
+  for (uint axis = 0; axis < 3; ++axis)
+    if (axes >> axis & 1) text += "xyz"[axis];
+  return text;
+}
+
 const char* contact_name(ContactLaw law) { return law_names[size_t(law)]; }
 ContactLaw contact_from_name(const std::string& name) {
   return ContactLaw(index_of_name(law_names, name, "contact law"));

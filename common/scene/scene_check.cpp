@@ -8,7 +8,6 @@
 
 #include "common/scene/contact_scene.h"
 #include "common/scene/counted.h"
-#include "common/scene/scene_bounds.h"
 #include "common/shared/hash.h"
 
 namespace spherepair {

@@ -80,15 +80,8 @@ FN int64_t signed_word(uint bits, uint base, uint k) {
   return (bits & 0x80000000u) != 0u ? -word : word;
 }
 
-// Returns |x + y|, given the bits of both floats.
-FN Wide magnitude_of_sum(uint x, uint y, uint base, uint words) {
-  Wide sum;
-  int64_t carry = int64_t(0);
-  for (uint k = 0u; k < words; ++k) {
-    carry += signed_word(x, base, k) + signed_word(y, base, k);
-    sum.word[k] = uint(carry & int64_t(0xFFFFFFFFul));
-    carry = carry >> 32;
-  }
+// Returns the magnitude of an integer, given its words and what they carry: -1 if it is negative.
+FN Wide magnitude_of(Wide sum, int64_t carry, uint words) {
   if (carry < int64_t(0)) {
     uint64_t one = uint64_t(1u);
     for (uint k = 0u; k < words; ++k) {
@@ -98,6 +91,18 @@ FN Wide magnitude_of_sum(uint x, uint y, uint base, uint words) {
     }
   }
   return sum;
+}
+
+// Returns |x + y|, given the bits of both floats.
+FN Wide magnitude_of_sum(uint x, uint y, uint base, uint words) {
+  Wide sum;
+  int64_t carry = int64_t(0);
+  for (uint k = 0u; k < words; ++k) {
+    carry += signed_word(x, base, k) + signed_word(y, base, k);
+    sum.word[k] = uint(carry & int64_t(0xFFFFFFFFul));
+    carry = carry >> 32;
+  }
+  return magnitude_of(sum, carry, words);
 }
 
 // Whether x*x + y*y + z*z < r*r. It adds the columns of the four squares with their signs, low to high; the carry out

@@ -28,21 +28,21 @@
 #define SLOT_DRAWN 19      // uint[2 * DRAWN_WORDS]: see view.h
 #define SLOT_CLUSTER 20    // vec4[2 * (clusters + bundles)]: corners of the bounding boxes; w: list_for_bundle
 #define SLOT_SEEN_LEFT 21  // uint[]: four bits a sphere, not 0 while the sphere is in SLOT_SEEN_LIST
-#define SLOT_CLUSTER_LIST 22   // uint[3 * clusters], by LIST_*, each in any order
-#define SLOT_PYRAMID 23        // uvec2[], the hierarchical Z: two depths a texel, level by level; see texel_of_pixel
-#define SLOT_WIDE 24           // Real[6n], compensated and float64: all x, all y, all z, then velocities
-#define SLOT_ANCHOR 25         // vec4[n], anchored: centres at the start, radius in w
-#define SLOT_FLIGHT 26         // Real[2n], anchored: upward speeds at the anchors, then seconds from anchor to `since`
-#define SLOT_SINCE 27          // uint[n], anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
-#define SLOT_NEXT_EVENT 28     // uint[n], anchored: first step in which the sphere may reach the plane
-#define SLOT_SEEN_LIST 29      // uint[], two by View::turn: indices of the spheres visible in recent frames
-#define SLOT_VISIBLE_ODD 30    // as SLOT_VISIBLE, for every other frame if two are in flight
-#define SLOT_COLOUR 31         // uint[n]: entry of the palette, unless contacts choose it; see View::colour_by
-#define SLOT_AXIS 32           // three slots, Axis[n] each, leapfrog: the state along x, y and z
-#define SLOT_IMPULSE 35        // three slots, int64[n] each, leapfrog: impulses of the step's contacts along x, y and z
-#define SLOT_GROWN 38          // vec4[n]: spheres whose near pairs are listed: grown by a skin, or around paths
-#define SLOT_NEAR 39           // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
-#define SLOT_FAULT 40          // uint[FAULT_WORDS], leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
+#define SLOT_CLUSTER_LIST 22  // uint[3 * clusters], by LIST_*, each in any order
+#define SLOT_PYRAMID 23       // uvec2[], the hierarchical Z: two depths a texel, level by level; see texel_of_pixel
+#define SLOT_WIDE 24          // Real[6n], compensated and float64: all x, all y, all z, then velocities
+#define SLOT_ANCHOR 25        // vec4[n], anchored: centres at the start, radius in w
+#define SLOT_FLIGHT 26        // Real[2n], anchored: upward speeds at the anchors, then seconds from anchor to `since`
+#define SLOT_SINCE 27         // uint[n], anchored: the step at which the anchor was made; see ANCHOR_ON_PLANE
+#define SLOT_NEXT_EVENT 28    // uint[n], anchored: first step in which the sphere may reach the plane
+#define SLOT_SEEN_LIST 29     // uint[], two by View::turn: indices of the spheres visible in recent frames
+#define SLOT_VISIBLE_ODD 30   // as SLOT_VISIBLE, for every other frame if two are in flight
+#define SLOT_COLOUR 31        // uint[n]: entry of the palette, unless contacts choose it; see View::colour_by
+#define SLOT_AXIS 32          // three slots, Axis[n] each, leapfrog: the state along x, y and z
+#define SLOT_IMPULSE 35       // three slots, int64[n] each, leapfrog: impulses of the step's contacts along x, y and z
+#define SLOT_GROWN 38  // vec4[n]: spheres whose near pairs are listed: grown by a skin, or around paths; then images
+#define SLOT_NEAR 39   // uvec2[]: their colliding pairs (i<j) in any order, SearchParams::near_pairs of them
+#define SLOT_FAULT 40  // uint[FAULT_WORDS], leapfrog: the first sphere of each FAULT_*, or ~0; see skin.h
 #define SLOT_ROW_LENGTH 41     // uint[looking], of lists of pairs: length of each row
 #define SLOT_REST 42           // uint[n], leapfrog: what the last step did to each sphere; see contact_rest.h
 #define SLOT_LIST_STATE 43     // ListState, of lists of pairs; see list.h
@@ -59,7 +59,8 @@
 #define SLOT_LIST_KEY 54       // uint[]: j and image of each pair, by rows in any order; see KeyRange in list_row
 #define SLOT_LIST_BIN 55       // uvec2[points]: the cell of each, and its place there
 #define SLOT_LIST_LONG 56      // uint[groups of rows]: groups of list_count with a row of more keys than it keeps
-#define SLOT_TOTAL 57
+#define SLOT_IMAGE_OF 57       // uint[], contact_grow: the number of images of spheres, then the sphere of each
+#define SLOT_TOTAL 58
 #define SLOT_PARAMS 0     // the uniform block's own binding
 #define STEPS_LOCATION 0  // location of GLSL's uniform with MotionParams::steps_done
 #define CELL_TEXTURE 0    // texture units of GLSL, one per use, so that bindings seldom change
@@ -166,6 +167,9 @@ struct UNIFORM_ALIGN ContactParams {
   float skin;                         // by which a sphere is grown for the list of near pairs, in radii
   float drag_loss;                    // share of a momentum that drag takes in half a step
   uint sleeping;                      // SLEEP_* and TESTS_ALL_WALLS, see contact_rest.h
+  // Corners of the periodic box, in metres; equal along axes that are not periodic. See periodic.h.
+  vec4 box_low;   // w: how far rounding moves a way between images, in metres
+  vec4 box_high;  // w: how far a grown sphere reaches for images, beyond its own radius
 };
 
 struct UNIFORM_ALIGN SearchParams {
@@ -202,18 +206,19 @@ struct Params {
   GridParams grid;
   SortParams sort;
   ContactParams contact;
-  uint n;            // spheres; for `decide`, pairs of spheres
-  float radius;      // of all spheres, if all are equal
-  uint first_group;  // of this slice of the launch
-  uint indices;      // CUDA: INDEX_* of the launch, see sphere_index; GLSL compiles it in
-  uint waits_first;  // CUDA: not 0: the previous launch may still run; the kernel waits for it first
-  uint unused_a, unused_b, unused_c;
+  uint n;               // spheres; for `decide`, pairs of spheres
+  float radius;         // of all spheres, if all are equal
+  uint first_group;     // of this slice of the launch
+  uint indices;         // CUDA: INDEX_* of the launch, see sphere_index; GLSL compiles it in
+  uint waits_first;     // CUDA: not 0: the previous launch may still run; the kernel waits for it first
+  uint image_capacity;  // of SLOT_IMAGE_OF: images of a periodic box
+  uint unused_a, unused_b;
 };
 
 #ifndef GL_core_profile
 static_assert(SPLIT_BLOCK == BUCKETS_AT_MOST && SPLIT_BLOCK * SPLIT_EACH == SPLIT_TILE);
 static_assert(sizeof(MotionParams) == 96 && sizeof(SearchParams) == 48 && sizeof(GridParams) == 64 &&
-              sizeof(SortParams) == 32 && sizeof(ContactParams) == 96 && sizeof(Params) == 368 && sizeof(uvec2) == 8 &&
+              sizeof(SortParams) == 32 && sizeof(ContactParams) == 128 && sizeof(Params) == 400 && sizeof(uvec2) == 8 &&
               sizeof(Axis) == 16);
 #endif
 

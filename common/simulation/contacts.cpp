@@ -32,6 +32,7 @@ void Contacts::upload(const Scene& scene, uint64_t steps_before) {
     if (on_) context_.buffers.clear(SLOT_IMPULSE + axis, n * sizeof(int64_t));
   }
   context_.buffers.resize(SLOT_GROWN, n * sizeof(vec4));
+  context_.buffers.resize(SLOT_IMAGE_OF, periodic() ? sizeof(uint) : 0);
   context_.buffers.resize(SLOT_REST, sleeps_ ? n * sizeof(uint) : 0);
   if (!on_) return near_.forget();
   context_.buffers.resize(SLOT_FAULT, FAULT_WORDS * sizeof(uint));
@@ -90,9 +91,9 @@ void Contacts::launch(bool clear_results) {
   if (sleep_mode(params.contact) != SLEEP_NEVER) {
     Params awakening = params;
     awakening.contact.sleeping = SLEEP_AWAKENS;
-    launch_pairs(awakening);
+    launch_pairs(Kernel::contact_pairs, awakening);
   }
-  launch_pairs(params);
+  launch_pairs(Kernel::contact_pairs, params);
   context_.launch({Kernel::leapfrog, SERVICE_BLOCK, {}, by_sphere}, params);
   context_.device.end_step();
 }
@@ -103,20 +104,39 @@ Params Contacts::pair_params() const {
   return params;
 }
 
-void Contacts::launch_pairs(const Params& params) {
+void Contacts::launch_pairs(Kernel kernel, const Params& params) {
   const auto groups = folded(std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups));
-  context_.launch({Kernel::contact_pairs, SERVICE_BLOCK, {}, groups}, params);
+  context_.launch({kernel, SERVICE_BLOCK, {}, groups}, params);
 }
 
-void Contacts::list_near_pairs() {
+// Grows the spheres and, in a periodic box, makes room for their images until all fit.
+uint64_t Contacts::grow_spheres() {
+  Buffers& buffers = context_.buffers;
+  for (;;) {
+    if (periodic()) buffers.clear(SLOT_IMAGE_OF, sizeof(uint));
+    context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
+    if (!periodic()) return context_.n;
+    const uint images = buffers.read<uint>(SLOT_IMAGE_OF, 1)[0];
+    uint& capacity = context_.params.image_capacity;
+    if (images <= capacity) return context_.n + images;
+    near_.release();  // so that the spheres can grow in place
+    const uint room = images + images / 4;
+    buffers.resize(SLOT_GROWN, (context_.n + room) * sizeof(vec4));
+    buffers.resize(SLOT_IMAGE_OF, (1 + uint64_t(room)) * sizeof(uint));
+    capacity = room;
+  }
+}
+
+void Contacts::list_near_pairs(const CollideOptions& options) {
   made_ = left_ = false;  // made_ stays false if the list fails
   done_ += known_;
   launched_ = known_ = 0;
   context_.params.contact.sleeping =
       (sleeps_ ? SLEEP_AT_REST : SLEEP_NEVER) | (tests_all_walls_ ? TESTS_ALL_WALLS : 0u);
-  context_.launch({Kernel::contact_grow, SERVICE_BLOCK, {}, groups_per_sphere(context_)});
+  const uint64_t all = grow_spheres();
   context_.set_near({});  // so that the list can grow in place
-  context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN)));
+  context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN), all, options));
+  if (periodic()) launch_pairs(Kernel::contact_images, pair_params());
   made_ = true;
 }
 

@@ -2,6 +2,7 @@
 // Contacts that push, on a device: the list of near pairs, their impulses, and errors of steps.
 #pragma once
 
+#include "common/shared/contact/periodic.h"
 #include "common/simulation/motion/device_motion.h"
 #include "common/simulation/search/near_pairs.h"
 
@@ -15,6 +16,7 @@ class Contacts {
   // the buffers, and after the upload of the scene's own search.
   void upload(const Scene& scene, uint64_t steps_before);
   bool on() const { return on_; }
+  bool periodic() const { return on_ && periodic_axes(context_.params.contact) != 0; }
 
   void keep_list(bool on) { keeps_ = on; }  // false: list near pairs in every step
   void forget_list() { made_ = false; }     // the list is overwritten; only when all steps are done
@@ -27,6 +29,9 @@ class Contacts {
   void step(bool clear_results);
   bool complete();
 
+  // Lists near pairs anew, of which a search in a periodic box takes those that collide. All steps must be complete.
+  void list_near_pairs(const CollideOptions& options = {.method = Method::automatic});
+
   void check_guards() { near_.check_guards(); }
 
   // Throws std::invalid_argument, naming the sphere, if a step since the upload was not possible. No step is taken
@@ -34,11 +39,11 @@ class Contacts {
   void require_sound();
 
  private:
-  void list_near_pairs();
+  uint64_t grow_spheres();        // returns the number of spheres and images
   void require_progress() const;  // throws BackendError if the steps done are none or too many
   void launch(bool clear_results);
   Params pair_params() const;
-  void launch_pairs(const Params& params);
+  void launch_pairs(Kernel kernel, const Params& params);
 
   DeviceContext& context_;
   DeviceMotion& motion_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "common/backend/checks.h"
+
 namespace spherepair {
 
 Simulation::Simulation(std::unique_ptr<Device> device, PipelineOpener open)
@@ -120,9 +122,12 @@ void Simulation::enqueue_collide(const CollideOptions& options) {
   require_scene("collide");
   complete_moves();
   search_.require_options(options);
+  if (contacts_.periodic()) check_images(options);
   if (options.swept) {
     contacts_.forget_list();
     swept_.list_paths(options);
+  } else if (contacts_.periodic()) {
+    contacts_.list_near_pairs(options);
   }
   evaluate();
   search_.enqueue(options);

@@ -13,7 +13,7 @@ void SweptSearch::list_of(const Scene& grown, const CollideOptions& options) {
   context_.buffers.resize(SLOT_GROWN, context_.n * sizeof(vec4));
   context_.buffers.write(SLOT_GROWN, grown.positions);
   near_.plan(grown);
-  context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN), near_options(options)));
+  context_.set_near(near_.list(context_.buffers.memory(SLOT_GROWN), context_.n, near_options(options)));
 }
 
 void SweptSearch::list_paths(const CollideOptions& options) {

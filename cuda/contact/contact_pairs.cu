@@ -3,6 +3,7 @@
 // There are near_pairs of them, in any order. Most do not touch, as their float32 centres show; momenta are loaded only
 // for contacts whose damper needs them. Pairs of two spheres at rest are skipped; an earlier launch of this kernel
 // awakens spheres. Once a sphere has left its skin, later steps do nothing.
+#include "cuda/contact/contact_impulse.cuh"
 #include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
@@ -20,6 +21,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = buf.near[k].x;
     uint j = buf.near[k].y;
+    if (i == j) continue;  // none
     if (awakens) {
       awaken(buf, i, j);
       continue;
@@ -27,7 +29,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
     bool first_rests = is_at_rest(p, buf, i);
     bool second_rests = is_at_rest(p, buf, j);
     if (first_rests && second_rests) continue;
-    if (is_apart(buf.position[i], buf.position[j])) continue;
+    if (is_apart(buf.position[i], buf.position[j], p.contact)) continue;
     Body a = load_place(p, buf, i);
     Body b = load_place(p, buf, j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
@@ -36,7 +38,7 @@ __global__ void __launch_bounds__(BLOCK) contact_pairs(Params p, KernelBuffers b
       b = load_body(p, buf, j);
     }
     FloatPush push = float_push_of_pair(a, b, p.contact);
-    record_fault(buf, push.fault, i);
+    record_fault(buf, push.fault, min(i, j));
     if (!first_rests) add_impulse(buf, i, push.x, push.y, push.z);
     if (!second_rests) add_impulse(buf, j, -push.x, -push.y, -push.z);
   }

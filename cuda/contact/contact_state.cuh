@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads and stores a sphere whose state is in 64-bit integers (see layout.h), and adds impulses to it in any order.
+// Loads and stores a sphere whose state is in 64-bit integers (see layout.h).
 #pragma once
 
 #include "common/shared/contact/contact.h"
@@ -38,34 +38,6 @@ __device__ inline void store_body(const Params& p, const KernelBuffers& buf, uin
   store_axis(buf, 2u, i, s.z, s.pz);
   buf.position[i] = centre_of(s, p.contact);
   buf.velocity[i] = velocity_of(speeds, p.contact);
-}
-
-// CUDA only from here: its atomic is of unsigned numbers
-__device__ inline int64_t load_from_impulse(const KernelBuffers& buf, uint k, uint i) { return buf.impulse[k][i]; }
-__device__ inline void clear_impulse(const KernelBuffers& buf, uint k, uint i, int64_t sum) {
-  if (sum != 0) buf.impulse[k][i] = 0;
-}
-__device__ inline void add_to_impulse(const KernelBuffers& buf, uint k, uint i, float value) {
-  unsigned long long* sum = reinterpret_cast<unsigned long long*>(&buf.impulse[k][i]);
-  atomicAdd(sum, static_cast<unsigned long long>(integer_of(value)));
-}
-// until here
-
-__device__ inline void add_impulse(const KernelBuffers& buf, uint i, float x, float y, float z) {
-  add_to_impulse(buf, 0u, i, x);
-  add_to_impulse(buf, 1u, i, y);
-  add_to_impulse(buf, 2u, i, z);
-}
-
-// Returns the sum of the impulses that were added.
-__device__ inline Push load_impulse(const KernelBuffers& buf, uint i) {
-  return Push{load_from_impulse(buf, 0u, i), load_from_impulse(buf, 1u, i), load_from_impulse(buf, 2u, i), FAULTS};
-}
-// Sets that sum to 0 for the next step.
-__device__ inline void clear_impulses(const KernelBuffers& buf, uint i, Push sum) {
-  clear_impulse(buf, 0u, i, sum.x);
-  clear_impulse(buf, 1u, i, sum.y);
-  clear_impulse(buf, 2u, i, sum.z);
 }
 
 // Records a fault. The lowest index is kept, so that the message names the same sphere in any order.

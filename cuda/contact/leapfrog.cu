@@ -3,6 +3,7 @@
 // sphere that cannot make the step stays where it is and is recorded; later steps then do nothing. Steps also do
 // nothing once a sphere has left its skin, until near pairs are listed again. Clears the results of the last search if
 // they are by sphere index. A sphere at rest stays as it is.
+#include "cuda/contact/contact_impulse.cuh"
 #include "cuda/contact/contact_rest.cuh"
 
 namespace spherepair {
@@ -33,7 +34,7 @@ __global__ void __launch_bounds__(BLOCK) leapfrog(Params p, KernelBuffers buf) {
   record_rest(p, buf, i, is_same(s, before));
   store_body(p, buf, i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults(buf));
-  if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(&buf.fault[LEFT_SKIN], i);
+  if (failed || has_left_skin(centre_of(s, p.contact), skin, p.contact)) atomicMin(&buf.fault[LEFT_SKIN], i);
 }
 
 Entry leapfrog_kernel(uint, Variant) { return reinterpret_cast<Entry>(&leapfrog); }

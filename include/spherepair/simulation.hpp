@@ -18,9 +18,10 @@ namespace spherepair {
 
 using Row = std::array<float, 3>;
 
-// The corners of a closed box, whose floor is the plane.
+// The corners of a closed box, whose floor is the plane, and the axes along which it repeats and has no walls.
 struct Walls {
   std::array<double, 3> low, high;
+  std::array<bool, 3> periodic = {};
 };
 
 // Where spheres start; sp_scene explains each field.
@@ -75,6 +76,7 @@ class Simulation {
 
   explicit Simulation(const Scene& scene, const std::string& backend = "auto", const std::string& device = "",
                       int32_t threads = 0) {
+    const Walls walls = scene.walls.value_or(Walls{});
     const sp_scene start = {.size = sizeof(sp_scene),
                             .positions = scene.positions.array(),
                             .velocities = scene.velocities.array(),
@@ -87,7 +89,8 @@ class Simulation {
                             .stiffness = scene.stiffness,
                             .density = scene.density,
                             .drag = scene.drag,
-                            .walls = scene.walls ? detail::host_array(&scene.walls->low, SP_F64, 2, 3, 3) : sp_array{}};
+                            .walls = scene.walls ? detail::host_array(&walls.low, SP_F64, 2, 3, 3) : sp_array{},
+                            .periodic = {walls.periodic[0], walls.periodic[1], walls.periodic[2]}};
     open([&](const char* named,
              sp_simulation** out) { return sp_simulation_open(backend.c_str(), named, threads, &start, out); },
          device);

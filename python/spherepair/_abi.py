@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
 
 ABI_VERSION = 2
 
@@ -44,7 +44,8 @@ class Scene(ctypes.Structure):
 
     _fields_ = [("size", c_size_t), ("positions", Array), ("velocities", Array), ("radii", Array), ("plane", c_double),
                 ("gravity", c_double), ("restitution", c_double), ("dt", c_double), ("contact", c_char_p),
-                ("stiffness", c_double), ("density", c_double), ("drag", c_double), ("walls", Array)]
+                ("stiffness", c_double), ("density", c_double), ("drag", c_double), ("walls", Array),
+                ("periodic", c_uint8 * 3)]
 
 
 class Drawing(ctypes.Structure):

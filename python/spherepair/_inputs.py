@@ -126,6 +126,14 @@ def _flags(pbc: Any) -> List[List[int]]:
     return [[int(flag) for flag in row] for row in rows]
 
 
+def flags(pbc: Any) -> List[int]:
+    """Makes three flags of one box."""
+    rows = _flags(pbc)
+    if len(rows) != 1:
+        raise ValueError(f"pbc has {len(rows)} rows, but there is one box: give three flags")
+    return rows[0]
+
+
 def boxes(cell: Any, pbc: Any) -> Tuple[Optional[View], Optional[View]]:
     """Makes B x 9 rows of the boxes and B x 3 flags, or None and None for open boxes. Without pbc a cell is periodic."""
     if cell is None:

@@ -35,6 +35,7 @@ class Simulation(Handle):
     stiffness: N/m (spring), N/m^1.5 (hertz), N/m^3 (quartic); None: the fastest sphere enters by 1 % of a radius.
     density: kg/m^3; None: 1000. drag: 1/s: speeds alone fall to 1/e in 1/drag seconds.
     walls: ((x, y, z), (x, y, z)): the lowest and the highest corner of a closed box, whose floor is the plane.
+    pbc: one flag or three: along these axes the box of `walls` repeats and has no walls. With y give gravity=0.
     backend, device, threads: as for open().
 
     Steps have the same bits on every backend. Raises ValueError, BackendError, MemoryError. After a step that fails every
@@ -44,7 +45,7 @@ class Simulation(Handle):
     def __init__(self, positions: Any, radii: Any, velocities: Any = None, *, contact: str = "none",
                  gravity: float = 9.81, plane: float = 0.0, restitution: float = 1.0, dt: Optional[float] = None,
                  stiffness: Optional[float] = None, density: Optional[float] = None, drag: float = 0.0,
-                 walls: Any = None, backend: str = "auto", device: Union[None, int, str] = None, threads: int = 0):
+                 walls: Any = None, pbc: Any = False, backend: str = "auto", device: Union[None, int, str] = None, threads: int = 0):
         points = _inputs.points(positions, "positions")
         keep = {"positions": points, "radii": _inputs.radii_of(radii, "radii", points.shape[0])}
         if velocities is not None:
@@ -52,6 +53,7 @@ class Simulation(Handle):
         if walls is not None:
             keep["walls"] = _inputs.points(walls, "walls")
         scene = _abi.Scene(size=ctypes.sizeof(_abi.Scene), contact=str(contact).encode())
+        scene.periodic[:] = _inputs.flags(pbc)
         for name, given in keep.items():
             setattr(scene, name, given.struct())
         numbers = {"gravity": gravity, "plane": plane, "restitution": restitution, "dt": dt, "stiffness": stiffness,

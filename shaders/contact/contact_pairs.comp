@@ -4,6 +4,7 @@
 // There are near_pairs of them, in any order. Most do not touch, as their float32 centres show; momenta are loaded only
 // for contacts whose damper needs them. Pairs of two spheres at rest are skipped; an earlier launch of this kernel
 // awakens spheres. Once a sphere has left its skin, later steps do nothing.
+#include "shaders/contact/contact_impulse.glsl"
 #include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -20,6 +21,7 @@ void main() {
   for (uint k = first; k < pairs; k += group_count() * BLOCK) {
     uint i = near[k].x;
     uint j = near[k].y;
+    if (i == j) continue;  // none
     if (awakens) {
       awaken(i, j);
       continue;
@@ -27,7 +29,7 @@ void main() {
     bool first_rests = is_at_rest(i);
     bool second_rests = is_at_rest(j);
     if (first_rests && second_rests) continue;
-    if (is_apart(position[i], position[j])) continue;
+    if (is_apart(position[i], position[j], p.contact)) continue;
     Body a = load_place(i);
     Body b = load_place(j);
     if (!in_contact(gap_between(a, b, p.contact))) continue;
@@ -36,7 +38,7 @@ void main() {
       b = load_body(j);
     }
     FloatPush push = float_push_of_pair(a, b, p.contact);
-    record_fault(push.fault, i);
+    record_fault(push.fault, min(i, j));
     if (!first_rests) add_impulse(i, push.x, push.y, push.z);
     if (!second_rests) add_impulse(j, -push.x, -push.y, -push.z);
   }

@@ -4,6 +4,7 @@
 // sphere that cannot make the step stays where it is and is recorded; later steps then do nothing. Steps also do
 // nothing once a sphere has left its skin, until near pairs are listed again. Clears the results of the last search if
 // they are by sphere index. A sphere at rest stays as it is.
+#include "shaders/contact/contact_impulse.glsl"
 #include "shaders/contact/contact_rest.glsl"
 
 layout(local_size_x = BLOCK) in;
@@ -33,5 +34,5 @@ void main() {
   record_rest(i, is_same(s, before));
   store_body(i, s, speeds);
   bool failed = walls.fault != FAULTS || wrong != FAULTS || (i == 0u && has_faults());
-  if (failed || has_left_skin(centre_of(s, p.contact), skin)) atomicMin(fault[LEFT_SKIN], i);
+  if (failed || has_left_skin(centre_of(s, p.contact), skin, p.contact)) atomicMin(fault[LEFT_SKIN], i);
 }

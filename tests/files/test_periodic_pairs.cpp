@@ -124,7 +124,7 @@ TEST_F(PeriodicPairs, WhatIsNotPossibleIsRefused) {
   EXPECT_NE(refusal("cell=\"1 1 1\"").find("Lattice=\"...\" of nine numbers"), std::string::npos);
   EXPECT_NE(refusal("Lattice=\"1 1 1\"").find("Lattice=\"...\" of nine numbers"), std::string::npos);
   EXPECT_EQ(run_program(fmt::format("run --input '{}' --steps 1", folder_.path("box.xyz"))), kUsage);
-  EXPECT_NE(errors_.find("only `pairs` finds pairs across its boundary"), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find("only `pairs` and runs with --contact find pairs across"), std::string::npos) << errors_;
 }
 
 }  // namespace

@@ -177,6 +177,11 @@ void simulations() {
   contacts.move(10);
   HOLDS(contacts.state().velocities[1][1] > 0);
   checkpoints_and_images(contacts);
+  Scene around = walled;
+  around.walls = Walls{{-2, 0, -2}, {5, 5, 2}, {true, false, true}};
+  HOLDS(Simulation(around, "cpu").pairs().size() == 1);
+  around.walls->high[2] = 0.05;
+  HOLDS(fails(SP_E_ARGUMENT, "must be longer than", [&] { Simulation(around, "cpu"); }));
   HOLDS(fails(SP_E_ARGUMENT, "glue",
               [&] { Simulation({.positions = positions, .radii = radii, .contact = "glue"}, "cpu"); }));
   HOLDS(fails(SP_E_ARGUMENT, "radii has 2 rows", [&] {

@@ -98,6 +98,30 @@ TEST(SimulationCalls, WallsHoldSpheresAndDragSlowsThem) {
   EXPECT_NEAR(slowed.state<double>(1)[3], 4 * std::exp(-1), 0.01);
 }
 
+TEST(SimulationCalls, SpheresCrossTheFacesOfAPeriodicBox) {
+  GivenSpheres two{.positions = {1.5, 0, 0, -1.9, 0, 0},
+                   .velocities = {4, 0, 0, 0, 0, 0},
+                   .radii = {0.25, 0.25},
+                   .walls = {-2, -1, -1, 2, 1, 1}};
+  sp_scene given = two.scene("hertz");
+  given.periodic[0] = 1;
+  OpenSimulation opened(given);
+  ASSERT_EQ(opened.status, SP_OK) << opened.message();
+  bool touched = false;
+  for (int k = 0; k < 40; ++k) {
+    opened.move(uint64_t(0.01 / sp_simulation_dt(opened.simulation)));
+    sp_pairs* list = nullptr;
+    ASSERT_EQ(sp_simulation_pairs(opened.simulation, &list), SP_OK) << opened.message();
+    touched = touched || list->count == 1;
+    sp_free(list);
+  }
+  const std::vector<double> found = opened.state<double>(2);
+  EXPECT_NEAR(found[9], 4, 0.01) << "the other sphere has the speed";
+  EXPECT_NEAR(found[3], 0, 0.01);
+  EXPECT_NEAR(found[0], 1.6, 0.02) << "where they touched";
+  EXPECT_LT(found[6], 2);
+}
+
 TEST(SimulationCalls, PairsAreThoseThatOverlap) {
   GivenSpheres row{.positions = {0, 1, 0, 0.75, 1, 0, 1.75, 1, 0, 2.5, 1, 0}, .radii = {0.5, 0.5, 0.5, 0.5}};
   OpenSimulation opened(row.scene());

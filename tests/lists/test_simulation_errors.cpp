@@ -41,6 +41,9 @@ TEST(SimulationCalls, WrongScenesAreRefused) {
   expect(changed("hertz", [](sp_scene& s) { s.restitution = 0.5; }), SP_E_ARGUMENT, "the law hertz is elastic");
   expect(changed("spring", [](sp_scene& s) { s.stiffness = 1e30; }), SP_E_ARGUMENT, "give stiffness");
   expect(changed("spring", [](sp_scene& s) { s.walls = s.radii; }), SP_E_ARGUMENT, "walls has 3 rows of 1");
+  expect(changed("spring", [](sp_scene& s) { s.periodic[2] = 1; }), SP_E_ARGUMENT, "no box that repeats");
+  expect(changed("spring", [](sp_scene& s) { s.periodic[1] = 2; }), SP_E_ARGUMENT, "periodic[1] is 2");
+  expect(changed(nullptr, [](sp_scene& s) { s.periodic[0] = 1; }), SP_E_ARGUMENT, "periodic is given, but without");
   GivenSpheres far{.positions = {0, std::numeric_limits<double>::infinity(), 0}, .radii = {1}};
   expect(far.scene(), SP_E_NONFINITE, "positions[0].y is not finite");
   sp_simulation* none = nullptr;

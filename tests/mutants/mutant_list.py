@@ -5,6 +5,7 @@ from file_mutants import FILES
 from mutant import mutant
 from list_mutants import LISTS
 from near_pair_mutants import NEAR_PAIRS
+from periodic_mutants import PERIODIC
 from vulkan_mutants import VULKAN
 
 HARNESS = [
@@ -109,9 +110,9 @@ CPU = [
     mutant("cpu: spheres beyond the last cell in runs", "common/cpu/search/cpu_grid_body.h",
            "if (is_last(run.cell.x) || is_last(run.cell.y) || is_last(run.cell.z)) return false;", "", "CpuGrid"),
     mutant("cpu: a contact pushes one sphere alone", "common/cpu/cpu_contacts.cpp", "add(impulses_[second], -value);", "", "Contacts", "ContactLaws"),
-    mutant("the skin is never left", "common/shared/contact/skin.h", "return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);", "return false;", "Contacts"),
+    mutant("the skin is never left", "common/shared/contact/skin.h", "return !(centre_rounding(sphere, c) < path && squared_between(sphere, grown, c) <= longest);", "return false;", "Contacts"),
     mutant("near pairs are those that overlap", "common/shared/contact/skin.h", "EXACT float radius = sphere.w + thickness;", "EXACT float radius = sphere.w;", "Contacts"),
-    mutant("spheres on the plane are away from walls", "common/shared/contact/contact.h", "(s.y - c.low_y < reach ? 2u : 0u) | ", "", "ContactWalls"),
+    mutant("spheres on the plane are away from walls", "common/shared/contact/contact.h", "(s.y - c.low_y < reach ? 2u : 0u) |", "0u |", "ContactWalls"),
     mutant("glsl: the last near pair is left out", "shaders/contact/contact_pairs.comp", "uint pairs = p.search.near_pairs;", "uint pairs = max(p.search.near_pairs, 1u) - 1u;", "Contacts"),
     mutant("any scene moves", "common/cpu/cpu_motion.cpp", "if (!unmovable_.empty()) throw", "if (false) throw", "NonFinite"),
     mutant("a state may be infinite", "bench/check/finite_state.cpp", "if (unsound.empty()) return;", "return;", "NonFinite", "Harness"),
@@ -228,4 +229,4 @@ DRAWING = [
            "ViewerImages"),
 ]
 
-MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + CONTACTS + VULKAN + LISTS
+MUTANTS = HARNESS + SHADERS + CPU + FILES + CHECKPOINT + COMMANDS + EXACT + DRAWING + NEAR_PAIRS + PERIODIC + CONTACTS + VULKAN + LISTS

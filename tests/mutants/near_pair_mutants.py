@@ -60,7 +60,7 @@ NEAR_PAIRS = [
     mutant("centres of near pairs are exact", "common/shared/contact/skin.h", "((a.w + b.w) + rounding)", "(a.w + b.w)", "ContactFilter"),
     mutant("the filter of near pairs does not round", "common/shared/contact/skin.h", " * bits_float(0x3F800008u);  // 1 + 2^-20", ";",
            "ContactFilter"),
-    mutant("near pairs seldom are apart", "common/shared/contact/skin.h", "squared_between(a, b) > farthest", "squared_between(a, b) > 4.0f * farthest",
+    mutant("near pairs seldom are apart", "common/shared/contact/skin.h", "squared_between(a, b, c) > farthest", "squared_between(a, b, c) > 4.0f * farthest",
            "ContactFilter"),
     mutant("cpu: what touches is passed over", "common/cpu/cpu_contacts.cpp", "if (is_apart(positions[pair.first],", "if (!is_apart(positions[pair.first],",
            "Contacts", "ContactLaws"),

@@ -57,6 +57,17 @@ class Simulations(Case):
         gas.move(20000)
         self.assertTrue((gas.positions > 0).all() and (gas.positions < 6).all())
 
+    def test_periodic_boxes_hold_spheres_without_walls(self):
+        box = dict(contact="spring", gravity=0.0, walls=((0, 0, 0), (6, 6, 6)), pbc=True)
+        gas = simulation(**box)
+        gas.move(20000)
+        self.assertTrue((gas.positions >= 0).all() and (gas.positions <= 6).all())
+        np.testing.assert_array_equal(spherepair.collisions(gas.positions, RADII.astype("f4"), (6, 6, 6), True), gas.pairs())
+        for name in CONTEXTS:
+            with self.subTest(backend=name), simulation(name, **box) as other:
+                other.move(20000)
+                np.testing.assert_array_equal(gas.positions, other.positions)
+
     def test_the_state_is_a_new_array_each_time(self):
         moving = simulation()
         before, again = moving.positions, moving.positions
@@ -162,7 +173,9 @@ class Simulations(Case):
                               (dict(gravity=math.nan), "gravity is not finite"), (dict(dt="fast"), "dt is 'fast'"),
                               (dict(contact="glue"), "unknown contact law 'glue'"), (dict(drag=1), "drag is given"),
                               (dict(plane=50), "below the plane"), (dict(walls=[[0, 0, 0]], contact="hertz"), "walls has 1 rows"),
-                              (dict(restitution=0.5, contact="hertz"), "elastic")):
+                              (dict(restitution=0.5, contact="hertz"), "elastic"),
+                              (dict(contact="hertz", pbc=True), "no box that repeats"), (dict(contact="hertz", pbc=(1, 0)), "three flags"),
+                              (dict(contact="hertz", pbc=True, walls=((0, 0, 0), (6, 6, 6))), "gravity is")):
             with self.subTest(says), self.assertRaisesRegex(ValueError, says):
                 spherepair.Simulation(**{**dict(positions=POSITIONS, radii=RADII, backend="cpu"), **options})
         with self.assertRaisesRegex(ValueError, "steps is -1"):

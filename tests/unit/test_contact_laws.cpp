@@ -184,7 +184,7 @@ TEST(ContactLaws, TheSkinCoversEveryPathAndRounding) {
       return vec4{float(at[0]), float(at[1]), float(at[2]), float(radius)};
     };
     for (int s = 0; s < 2; ++s) then[s] = grown_sphere(rounded(before[s]), c), centre[s] = rounded(now[s]);
-    if (has_left_skin(centre[0], then[0]) || has_left_skin(centre[1], then[1])) continue;
+    if (has_left_skin(centre[0], then[0], c) || has_left_skin(centre[1], then[1], c)) continue;
     ++served;
     if (apart >= 4 * double(float(radius)) * double(float(radius))) continue;
     ++contacts;

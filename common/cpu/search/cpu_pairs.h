@@ -28,4 +28,7 @@ PairsFound search_groups(const SearchInput& search);      // within groups of op
 // which begin with these velocities.
 PairsFound search_swept(const SearchInput& search, std::span<const vec4> velocities, std::span<const Pair> near);
 
+// Finds the pairs that collide in the scene's periodic box among near pairs, whose order within a pair is any.
+PairsFound search_images(const SearchInput& search, std::span<const Pair> near);
+
 }  // namespace spherepair

@@ -49,7 +49,7 @@ class Failure {
     const float mobility = mobility_of(s.radius, params_);
     if (fault_of(s, speeds_of(s, mobility), params_) != FAULTS) return s;
     s.x -= scaled(s.px, mobility), s.y -= scaled(s.py, mobility), s.z -= scaled(s.pz, mobility);
-    return s;
+    return wrapped(s, params_);
   }
 
   // Describes the deepest contact of a sphere, relative to the smaller radius.
@@ -58,13 +58,15 @@ class Failure {
     const double radius = double(a.radius);
     const int64_t walls[6] = {a.x - params_.low_x,  a.y - params_.low_y,  a.z - params_.low_z,
                               params_.high_x - a.x, params_.high_y - a.y, params_.high_z - a.z};
-    double smaller = radius, overlap = radius - metres(*std::ranges::min_element(walls));
+    double smaller = radius, overlap = -INFINITY;
+    for (uint wall = 0; wall < 6; ++wall)
+      if (all_walls(params_) >> wall & 1) overlap = std::max(overlap, radius - metres(walls[wall]));
     std::string in = "a wall";
     for (uint64_t j = 0; j < step_.bodies.size(); ++j) {
       const Body b = before(j);
       const double least = std::min(radius, double(b.radius));
-      const double enters =
-          radius + double(b.radius) - std::hypot(metres(a.x - b.x), metres(a.y - b.y), metres(a.z - b.z));
+      const Ways way = ways_between(a, b, params_);
+      const double enters = radius + double(b.radius) - std::hypot(metres(way.x), metres(way.y), metres(way.z));
       if (j == i || enters * smaller <= overlap * least) continue;
       smaller = least, overlap = enters, in = fmt::format("sphere {}", j);
     }

@@ -19,10 +19,13 @@ enum class ContactLaw : uint {
 const char* contact_name(ContactLaw law);
 ContactLaw contact_from_name(const std::string& name);  // throws std::invalid_argument with the known names
 
-// Opposite corners, in metres.
+// A box along the axes: opposite corners, in metres, and the axes along which it repeats, as bits x, y, z.
 struct WallBox {
   std::array<float, 3> low, high;
+  uint periodic = 0;
 };
+
+std::string axes_text(uint axes);  // of the bits x, y, z, such as xz
 
 constexpr float water = 1000;  // kg/m^3
 
@@ -36,7 +39,8 @@ struct ContactOptions {
   bool sleeping = true;          // with drag, steps skip spheres at rest; the same bits
   bool tests_all_walls = false;  // also for spheres away from walls, for measuring; the same bits
   bool walls = false;            // a closed box: four sides and a lid, the plane is its floor
-  vec4 low = {}, high = {};      // its corners; low.y is not used
+  vec4 low = {}, high = {};      // its corners; low.y is not used, the plane's height is
+  uint periodic = 0;             // bits x, y, z: the box repeats along these axes, which then have no walls
   int unit_exponent = 0, momentum_exponent = 0;
   float skin = 0;  // around spheres, in radii: see skin_of
 };

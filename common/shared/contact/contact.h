@@ -6,13 +6,9 @@
 #ifndef SPHEREPAIR_CONTACT_H
 #define SPHEREPAIR_CONTACT_H
 
+#include "common/shared/contact/body.h"
 #include "common/shared/contact/contact_quotient.h"
 #include "common/shared/contact/gap.h"
-
-struct Body {
-  int64_t x, y, z, px, py, pz;  // units of length and of momentum
-  float radius;                 // metres
-};
 
 struct Push {
   int64_t x, y, z;  // impulse
@@ -94,7 +90,8 @@ FN float reach_of_pair(Body a, Body b) {
   return reach;
 }
 FN Gap gap_between(Body a, Body b, ContactParams c) {
-  return gap_of(a.x - b.x, a.y - b.y, a.z - b.z, reach_of_pair(a, b), c);
+  Ways way = ways_between(a, b, c);
+  return gap_of(way.x, way.y, way.z, reach_of_pair(a, b), c);
 }
 
 // Returns the impulse that b gives a; a gives b the negative.
@@ -143,14 +140,19 @@ FN int64_t push_of_wall(int64_t distance, int64_t outward_momentum, float radius
   return integer_of(push);
 }
 
-// Walls are bits: low x, y, z, high x, y, z.
-const uint ALL_WALLS = 63u;
+// Walls are bits: low x, y, z, high x, y, z. There are none along periodic axes.
+FN uint all_walls(ContactParams c) {
+  uint axes = 7u - periodic_axes(c);
+  return axes | axes << 3;
+}
 
 // Returns the walls nearer than the power of two above the radius: most spheres have none.
 FN uint walls_near(Body s, ContactParams c) {
   int64_t reach = int64_t(1ul << (uint(c.unit_exponent) + exponent_field(s.radius) - 126u));
-  return (s.x - c.low_x < reach ? 1u : 0u) | (s.y - c.low_y < reach ? 2u : 0u) | (s.z - c.low_z < reach ? 4u : 0u) |
-         (c.high_x - s.x < reach ? 8u : 0u) | (c.high_y - s.y < reach ? 16u : 0u) | (c.high_z - s.z < reach ? 32u : 0u);
+  uint near = (s.x - c.low_x < reach ? 1u : 0u) | (s.y - c.low_y < reach ? 2u : 0u) |
+              (s.z - c.low_z < reach ? 4u : 0u) | (c.high_x - s.x < reach ? 8u : 0u) |
+              (c.high_y - s.y < reach ? 16u : 0u) | (c.high_z - s.z < reach ? 32u : 0u);
+  return near & all_walls(c);
 }
 FN int64_t on_axis(uint axis, int64_t x, int64_t y, int64_t z) { return axis == 0u ? x : (axis == 1u ? y : z); }
 
@@ -158,7 +160,7 @@ FN int64_t on_axis(uint axis, int64_t x, int64_t y, int64_t z) { return axis == 
 // theirs. tests_all: also over the other walls, which changes nothing.
 FN Push push_of_walls(Body s, bool tests_all, ContactParams c) {
   Push sum = {0l, 0l, 0l, FAULTS};
-  for (uint left = tests_all ? ALL_WALLS : walls_near(s, c); left != 0u;) {
+  for (uint left = tests_all ? all_walls(c) : walls_near(s, c); left != 0u;) {
     uint wall = highest_bit(left);
     left -= 1u << wall;
     bool is_high = wall >= 3u;
@@ -205,18 +207,10 @@ FN Body drifted(Body s, vec4 speeds, float mobility, ContactParams c) {
   s.x += stays(speeds.x, c) ? 0l : scaled(s.px, mobility);
   s.y += stays(speeds.y, c) ? 0l : scaled(s.py, mobility);
   s.z += stays(speeds.z, c) ? 0l : scaled(s.pz, mobility);
-  return s;
+  return wrapped(s, c);
 }
 
-// Return the float32 centre and velocity nearest to the state.
-FN vec4 centre_of(Body s, ContactParams c) {
-  float unit = power_of_two(-c.unit_exponent);
-  EXACT float x = float_of(s.x) * unit;
-  EXACT float y = float_of(s.y) * unit;
-  EXACT float z = float_of(s.z) * unit;
-  vec4 centre = {x, y, z, s.radius};
-  return centre;
-}
+// Returns the float32 velocity nearest to these speeds.
 FN vec4 velocity_of(vec4 speeds, ContactParams c) {
   EXACT float x = speeds.x * c.metres_per_second;
   EXACT float y = speeds.y * c.metres_per_second;

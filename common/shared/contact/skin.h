@@ -5,7 +5,7 @@
 #ifndef SPHEREPAIR_SKIN_H
 #define SPHEREPAIR_SKIN_H
 
-#include "common/shared/layout.h"
+#include "common/shared/contact/periodic.h"
 
 // Words of SLOT_FAULT after the faults. Steps are launched ahead. Once a sphere has left its skin, later steps do
 // nothing: contact_pairs, during which LEFT_SKIN does not change, sets STOPPED for leapfrog. Otherwise it counts the
@@ -21,15 +21,17 @@ FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
   vec4 grown = {sphere.x, sphere.y, sphere.z, radius};
   return grown;
 }
-FN float centre_rounding(vec4 centre) {  // of this centre and a later one: each 2^-24 of a coordinate at most
+// Of this centre and a later one: each 2^-24 of a coordinate at most. In a periodic box one of them can be an image, a
+// period farther out, and ways between them are rounded by 2^-24 of two periods.
+FN float centre_rounding(vec4 centre, ContactParams c) {
   EXACT float sum = larger(centre.x, -centre.x) + larger(centre.y, -centre.y) + larger(centre.z, -centre.z);
-  EXACT float rounding = sum * bits_float(0x34200000u);  // 1.25 * 2^-23
+  EXACT float rounding = sum * bits_float(0x34200000u) + c.box_low.w;  // 1.25 * 2^-23
   return rounding;
 }
-FN float squared_between(vec4 a, vec4 b) {
-  EXACT float x = a.x - b.x;
-  EXACT float y = a.y - b.y;
-  EXACT float z = a.z - b.z;
+FN float squared_between(vec4 a, vec4 b, ContactParams c) {
+  EXACT float x = nearest_way(a.x, b.x, c.box_low.x, c.box_high.x);
+  EXACT float y = nearest_way(a.y, b.y, c.box_low.y, c.box_high.y);
+  EXACT float z = nearest_way(a.z, b.z, c.box_low.z, c.box_high.z);
   EXACT float square = (x * x + y * y) + z * z;
   return square;
 }
@@ -39,29 +41,29 @@ FN float squared_between(vec4 a, vec4 b) {
 // (r * u/128), hence within r(1 + u/8) + u * s, and their square as computed is below that of this bound times 1 + 5u.
 // Here s is taken 1.25u times, which covers the roundings of its sum; 1 + 16u covers u/8, 5u/2 and 5u/2 for the
 // roundings of reach and its square.
-FN bool is_apart(vec4 a, vec4 b) {
-  EXACT float rounding = (centre_rounding(a) + centre_rounding(b)) * 0.5f;
+FN bool is_apart(vec4 a, vec4 b, ContactParams c) {
+  EXACT float rounding = (centre_rounding(a, c) + centre_rounding(b, c)) * 0.5f;
   EXACT float reach = ((a.w + b.w) + rounding) * bits_float(0x3F800008u);  // 1 + 2^-20
   EXACT float farthest = reach * reach;
-  return squared_between(a, b) > farthest;
+  return squared_between(a, b, c) > farthest;
 }
-FN float free_path(vec4 sphere, vec4 grown) {
+FN float free_path(vec4 sphere, vec4 grown, ContactParams c) {
   EXACT float skin = (grown.w - sphere.w) * bits_float(0x3F7F8000u);  // 1 - 2^-9, for the rounding of this and of radii
-  EXACT float path = skin - centre_rounding(sphere);
+  EXACT float path = skin - centre_rounding(sphere, c);
   return path;
 }
 // Whether a sphere has left its skin, or rounding takes half of the skin. In the latter case the next step lists pairs
 // and finds the sphere too far out. So a run ends in the same step wherever it was cut, since a cut lists pairs, too.
-FN bool has_left_skin(vec4 sphere, vec4 grown) {
-  float path = free_path(sphere, grown);
+FN bool has_left_skin(vec4 sphere, vec4 grown, ContactParams c) {
+  float path = free_path(sphere, grown, c);
   EXACT float longest = path * path;
-  return !(centre_rounding(sphere) < path && squared_between(sphere, grown) <= longest);
+  return !(centre_rounding(sphere, c) < path && squared_between(sphere, grown, c) <= longest);
 }
 // Whether a sphere is too far from the origin for its radius: rounding takes more than half of the skin. Then
 // has_left_skin is true, too.
 FN bool is_too_far(vec4 sphere, ContactParams c) {
   EXACT float half_skin = sphere.w * c.skin * 0.5f;
-  return !(centre_rounding(sphere) < half_skin);
+  return !(centre_rounding(sphere, c) < half_skin);
 }
 
 #endif

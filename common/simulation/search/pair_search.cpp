@@ -24,7 +24,7 @@ constexpr uint threads_per_chunk = 32;  // for many spheres a group takes one ch
 
 void PairSearch::upload(const Scene& scene) {
   const uint64_t n = scene.size();
-  context_.buffers.resize(SLOT_COUNT, n * sizeof(uint));
+  make_room();
   context_.buffers.resize(SLOT_SUMMARY, SUMMARY_SLOTS * SUMMARY_WORDS * sizeof(uint));
   context_.buffers.resize(SLOT_DEFERRED, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
   context_.buffers.resize(SLOT_PAIR, std::max<uint64_t>(n, 4096) * sizeof(uvec2));
@@ -33,6 +33,11 @@ void PairSearch::upload(const Scene& scene) {
   results_ = Results::none;
   results_clear_ = counts_sorted_ = false;
   resolved_in_step_.clear();
+}
+
+void PairSearch::make_room() {
+  context_.buffers.resize(SLOT_COUNT, context_.room * sizeof(uint));
+  forget();
 }
 
 void PairSearch::forget() {
@@ -121,15 +126,15 @@ void PairSearch::enqueue_steps(uint steps) {
 
 void PairSearch::launch(bool in_step) {
   prepare_launch();
-  const bool grid = options_.method == Method::collide_grid && context_.n >= 2 && !options_.swept;
+  const bool grid = options_.method == Method::collide_grid && context_.n >= 2 && !of_near_pairs();
   search_decides_ = grid && sorter_.plans().plan(options_.grid.cells).cells == Cells::dense;
   resolved_ = true;
   if (!grid) sorter_.forget_order();
   if (!in_step) context_.device.begin_step(options_.api);
   const bool clear = std::exchange(results_clear_, false);
   if (!grid && !clear) clear_results(context_, Order::scene);
-  if (options_.swept) {
-    launch_swept();
+  if (of_near_pairs()) {
+    launch_near();
   } else if (context_.n >= 2) {
     grid ? launch_grid(clear) : launch_all_pairs(context_, options_, variant_);
     resolved_ = !options_.exact;
@@ -162,9 +167,10 @@ void PairSearch::launch_grid(bool results_clear) {
 }
 
 // Decides the near pairs, one thread each.
-void PairSearch::launch_swept() {
+void PairSearch::launch_near() {
   const uint64_t groups = std::clamp<uint64_t>(ceil_div(context_.near_pairs, SERVICE_BLOCK), 1, most_groups);
-  context_.launch({Kernel::collide_swept, SERVICE_BLOCK, {.listed = variant_.listed}, folded(groups)});
+  const Kernel kernel = options_.swept ? Kernel::collide_swept : Kernel::collide_images;
+  context_.launch({kernel, SERVICE_BLOCK, {.listed = variant_.listed}, folded(groups)});
 }
 
 // Decides the deferred pairs. There hardly ever are any, so a complete search launches this only if a pair is left.

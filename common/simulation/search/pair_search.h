@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/scene/scene_params.h"
+#include "common/shared/contact/periodic.h"
 #include "common/simulation/search/cell_sorter.h"
 
 namespace spherepair {
@@ -15,6 +16,7 @@ class PairSearch {
   PairSearch(DeviceContext& context, CellSorter& sorter) : context_(context), sorter_(sorter) {}
 
   void upload(const Scene& scene);
+  void make_room();                          // for as many spheres as the context says; results are lost
   void cleared() { results_clear_ = true; }  // another kernel cleared counts and totals
   void forget();                             // drops the results: other kernels overwrite them
 
@@ -23,7 +25,8 @@ class PairSearch {
   // Launches a search of the spheres in SLOT_POSITION and returns. complete() does the rest: it decides the pairs that
   // the filter left undecided, lets short lists grow, and counts the colliding spheres. If the last complete search of
   // this kind had undecided pairs, they are decided here. in_step: a move has begun the device's step. A swept search
-  // reads the pairs whose paths are near from SLOT_NEAR, and the velocities from SLOT_GROWN.
+  // reads the pairs whose paths are near from SLOT_NEAR, and the velocities from SLOT_GROWN. In a periodic box a search
+  // reads near pairs of spheres and images there.
   void enqueue(const CollideOptions& options, bool in_step = false);
   void require_options(const CollideOptions& options) const;  // throws std::invalid_argument naming what is impossible
 
@@ -64,7 +67,8 @@ class PairSearch {
   void prepare_launch();
   void launch(bool in_step = false);
   void launch_grid(bool results_clear);
-  void launch_swept();
+  void launch_near();
+  bool of_near_pairs() const { return options_.swept || periodic_axes(context_.params.contact) != 0; }
   void set_params();
   void resolve_undecided();
   std::vector<uint> complete_lists();  // returns the summary

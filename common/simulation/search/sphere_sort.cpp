@@ -85,7 +85,7 @@ void SphereSort::split_tiles(uint shift, uint buckets) {
   const uint64_t tiles = ceil_div(context_.n, SPLIT_TILE);
   context_.params.sort.bucket_shift = shift;
   context_.params.sort.buckets = buckets;
-  context_.buffers.resize(SLOT_BUCKET, tiles * BUCKETS_AT_MOST * sizeof(uint));
+  context_.buffers.resize(SLOT_BUCKET, ceil_div(context_.room, SPLIT_TILE) * BUCKETS_AT_MOST * sizeof(uint));
   context_.launch({Kernel::split_tiles, SPLIT_BLOCK, cells_, folded(tiles), Order::scene, Order::buckets});
 }
 
@@ -107,8 +107,8 @@ void SphereSort::by_buckets() {
   const bool few = context_.software() && options_.grid.sort == Sort::automatic;
   const auto [shift, buckets, parent_shift] = plan_buckets(context_.n, slots_, few ? 1 : least_buckets);
   const bool tiles = parent_shift == ONE_PARENT;
-  context_.buffers.resize(SLOT_SPLIT, context_.n * sizeof(vec4));
-  if (!index_in_w_) context_.buffers.resize(SLOT_SPLIT_ID, context_.n * sizeof(uint));
+  context_.buffers.resize(SLOT_SPLIT, context_.room * sizeof(vec4));
+  if (!index_in_w_) context_.buffers.resize(SLOT_SPLIT_ID, context_.room * sizeof(uint));
   tiles ? split_tiles(shift, buckets) : split_twice(shift, buckets, parent_shift);
   Launch launching{Kernel::grid_sort, SORT_BLOCK, cells_, folded(buckets), Order::buckets};
   launching.variant.from_tiles = tiles;
@@ -124,9 +124,9 @@ void SphereSort::run() {
   const Sort wanted = options_.grid.sort;
   context_.params.sort = {};
   context_.params.sort.index_in_w = index_in_w_;
-  context_.buffers.resize(SLOT_SORTED, context_.n * sizeof(vec4));
-  if (!index_in_w_ || wanted == Sort::radix) context_.buffers.resize(SLOT_ID, context_.n * sizeof(uint));
-  context_.buffers.resize(SLOT_SORTED_COUNT, context_.n * sizeof(uint));
+  context_.buffers.resize(SLOT_SORTED, context_.room * sizeof(vec4));
+  if (!index_in_w_ || wanted == Sort::radix) context_.buffers.resize(SLOT_ID, context_.room * sizeof(uint));
+  context_.buffers.resize(SLOT_SORTED_COUNT, context_.room * sizeof(uint));
   if (wanted == Sort::radix) return by_library();
   const bool pays = !context_.software() || context_.n >= buckets_pay_from_in_software;
   const bool buckets = wanted == Sort::automatic ? pays : wanted == Sort::buckets;
