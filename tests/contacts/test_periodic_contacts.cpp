@@ -80,7 +80,7 @@ TEST_P(PeriodicContactsInKernels, EachStepHasTheImpulsesOfAllImages) {
       const ContactLaw law = axes == 7 ? ContactLaw::spring : axes == 1 ? ContactLaw::hertz : ContactLaw::quartic;
       const Scene scene = periodic_gas(
           axes, {.side = 4, .ratio = from == 0 ? 1.0f : 1.5f, .law = law, .from = from, .steps_a_contact = 12});
-      const uint64_t steps = by_form(backend(), 400, 200);
+      const uint64_t steps = by_form(150, 100);
       EXPECT_EQ(run_steps(backend(), scene, steps).wide, after_all_images(scene, steps))
           << axes_text(axes) << ", " << from << " m from the origin";
       backend().check_guards();
