@@ -22,7 +22,10 @@ std::string text_of_density(const Scene& scene) {
 std::string text_of_walls(const Scene& scene) {
   const auto box = box_of(scene);
   if (!box) return "";
-  return fmt::format("{}: box from {} to {}\n", box->periodic ? "periodic along " + axes_text(box->periodic) : "walls",
+  const std::string open =
+      scene.contact.walls || box->periodic == 7 ? "" : fmt::format(", open along {}", axes_text(7 - box->periodic));
+  return fmt::format("{}{}: box from {} to {}\n",
+                     box->periodic ? "periodic along " + axes_text(box->periodic) : "walls", open,
                      fmt::join(box->low, ", "), fmt::join(box->high, ", "));
 }
 

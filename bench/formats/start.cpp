@@ -10,6 +10,7 @@
 #include "bench/io/scene_text.h"
 #include "bench/spheres/sphere_file.h"
 #include "common/files/checkpoint.h"
+#include "common/scene/counted.h"
 
 namespace spherepair {
 
@@ -74,7 +75,11 @@ void take_plane(Scene& scene, float plane, bool contacts) {
 // Takes the file's box if it is periodic, or if --walls closes it.
 ContactChoice contacts_of(const SphereFile& input, const MotionChoice& motion) {
   ContactChoice contact = contact_choice(motion);
-  if (contact.law == ContactLaw::none || contact.box || !input.box) return contact;
+  if (contact.law == ContactLaw::none || !input.box) return contact;
+  if (contact.box && input.box->periodic)
+    throw std::invalid_argument(fmt::format(
+        "{} has a periodic box: omit --box, or read the file as if it had none with --ignore-periodic", input.file));
+  if (contact.box) return contact;
   if (!contact.walls && !contact.periodic && !input.box->periodic) return contact;
   if (motion.plane && (contact.walls || (contact.periodic | input.box->periodic) & 2))
     throw std::invalid_argument(fmt::format("{} has a box, whose floor is at y = {}: omit --plane{}", input.file,
@@ -92,12 +97,15 @@ Start start_from(SphereFile input, const MotionChoice& motion) {
     lower_plane(input.scene);
     raise_plane(input.scene, contact);
   }
+  const uint64_t outside = wrapped_centres(input.scene, contact);
   choose_contacts(input.scene, contact);
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
-  if (input.box && contact.law != ContactLaw::none && !contact.box && !contact.walls)
-    start.notes += fmt::format("{} has a box, which --walls closes; without it the spheres leave it\n", input.file);
+  if (outside) start.notes += fmt::format("{} outside the periodic box: wrapped into it\n", counted(outside, "centre"));
+  if (input.box && contact.law != ContactLaw::none && !contact.walls && input.scene.contact.periodic != 7)
+    start.notes += fmt::format("{} has a box, which --walls closes{}; without it the spheres leave it\n", input.file,
+                               input.scene.contact.periodic ? " along the other axes" : "");
   if (!input.units.empty() && input.units != "m")
     start.notes += fmt::format("WARNING: motion takes lengths for metres: 1 {} moves as 1 m does\n", input.units);
   start.record = to_json(input);

@@ -26,6 +26,7 @@ struct DataHeader {
   uint64_t atoms = 0, atoms_line = 0;
   uint64_t box_line = 0;  // the last of the box
   ListBox box = {};
+  Point3 low = {};
   std::array<bool, 3> has_edge = {};
 };
 
@@ -49,6 +50,7 @@ void read_box_line(const FileBytes& file, uint64_t line, std::span<const std::st
       if (!(ends[0] < ends[1]))
         file.fail_at_line(line, "an upper bound above the lower one", fmt::format("{} {}", ends[0], ends[1]));
       rows[axis][axis] = ends[1] - ends[0];
+      header.low[axis] = ends[0];
     } else if (keyword == vectors[axis]) {
       std::ranges::copy(numbers(3), rows[axis].begin());
     } else {
@@ -203,7 +205,7 @@ SphereFile read_lammps_data(const FileBytes& file, const SphereFileOptions& opti
   if (!header.units.empty()) columns.units = fmt::format("LAMMPS's units {}", header.units);
   SphereFile input;
   take_periodic_box(fmt::format("{}, line {}", file.name(), header.box_line), words_of_box(header), header.box, "",
-                    options, input);
+                    options, input, header.low);
   read_sphere_lines(file, section.line, columns, atoms, options, rows, input);
   if (find_section(file, cursor, "Velocities").line > 0)
     read_velocities(file, atoms, lines_of_section(file, cursor, header), rows, input);

@@ -152,7 +152,7 @@ void read_box(const Archive& archive, const SphereFileOptions& options, SphereFi
   for (size_t k = 0; k < 3; ++k) taken.periodic[k] = flags[flags.size() == 3 ? k : 0] != 0;
   if (pbc) text += fmt::format("{}pbc ({})", box ? ", " : "", fmt::join(flags, " "));
   take_periodic_box(box ? box->file.name() : pbc->file.name(), taken.is_open() ? "" : text,
-                    box ? std::optional(taken) : std::nullopt, "an array box beside pbc", options, input);
+                    box ? std::optional(taken) : std::nullopt, "an array box beside pbc", options, input, {});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "bench/io/numbers.h"
 #include "bench/spheres/columns.h"
+#include "bench/spheres/frames.h"
 #include "bench/text/fields.h"
 
 namespace spherepair {

@@ -67,9 +67,12 @@ Columns columns_of(const FileBytes& file, const Frame& frame, const Comment& com
 
 void read_box(const Comment& comment, const SphereFileOptions& options, SphereFile& input) {
   const PeriodicBox box = periodic_box(comment);
+  const auto origin = origin_of(comment);
+  if (options.moves_in_box && !options.ignore_periodic && !box.text.empty() && !origin)
+    comment.file.fail_at_line(comment.line, "Origin of three numbers", in_quotes(comment.text));
   take_periodic_box(fmt::format("{}, line {}", comment.file.name(), comment.line), box.text, box.box,
                     "a periodic box as Lattice=\"...\" of nine numbers, its three vectors, with pbc=\"T T F\"", options,
-                    input, origin_of(comment).value_or(Point3{}));
+                    input, origin.value_or(Point3{}));
   if (!input.periodic.empty() || input.box) return;
   input.box = closed_box(comment);
   if (box.text.empty() && options.ignore_periodic && !box.mention.empty()) input.ignored = in_quotes(box.mention);

@@ -119,6 +119,7 @@ Plan make_plan(const PlanOptions& options, bool hardware) {
   for (const std::string& name : options.scenes) plan.scenes.push_back(parse_scene(name, options.seed));
   for (SceneOptions& scene : plan.scenes) choose_motion(scene, options.motion);
   plan.methods = parse_methods(options.methods);
+  if (plan.contact.periodic && options.methods.empty()) std::erase(plan.methods, Method::collide_group);
   plan.blocks = parse_blocks(options.blocks);
   if (std::ranges::find(plan.blocks, plan.table_block) == plan.blocks.end()) plan.table_block = plan.blocks.front();
   fill_sizes(plan);

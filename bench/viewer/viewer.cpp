@@ -81,7 +81,8 @@ void Viewer::list_choices() {
   const std::string draw = draws_.names.empty() ? "" : draws_.name();
   methods_.names.clear();
   draws_.names.clear();
-  for (const Method each : backend().methods()) methods_.names.push_back(method_name(each));
+  for (const Method each : backend().methods())
+    if (!start_.scene.contact.periodic || each != Method::collide_group) methods_.names.push_back(method_name(each));
   for (const DrawMethod each : drawing().draw_methods()) draws_.names.push_back(draw_method_name(each));
   methods_.pick(method);
   draws_.pick(draw);

@@ -46,7 +46,10 @@ std::vector<uint> CpuContacts::add_images(const std::vector<uint>& wide, const s
 
 const std::vector<Pair>& CpuContacts::near_pairs(const std::vector<uint>& wide, const std::vector<vec4>& positions) {
   search_.moved();
+  const std::vector<uint> faults = failed_.faults;
   list_near_pairs(wide, positions);
+  left_skin_ = failed_.faults != faults;  // the next step lists them again, and fails
+  failed_.faults = faults;
   return near_;
 }
 

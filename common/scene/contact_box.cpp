@@ -11,32 +11,41 @@
 namespace spherepair {
 namespace {
 
-// A centre on the upper face of a periodic box would be its image's on the lower one.
-bool is_inside(float at, const WallBox& box, int axis) {
-  const bool repeats = (box.periodic >> axis & 1) != 0;
-  return at < box.high[axis] && (repeats ? box.low[axis] <= at : box.low[axis] < at);
+float& along(vec4& s, int axis) { return axis == 0 ? s.x : axis == 1 ? s.y : s.z; }
+
+bool repeats(const WallBox& box, int axis) { return (box.periodic >> axis & 1) != 0; }
+
+// The upper face of a periodic box is outside: it is the lower face of the next image.
+float wrapped(float at, const WallBox& box, int axis) {
+  const double low = double(box.low[axis]), period = double(box.high[axis]) - low;
+  if (!repeats(box, axis) || (box.low[axis] <= at && at < box.high[axis])) return at;
+  const float inside = float(double(at) - period * std::floor((double(at) - low) / period));
+  return inside < box.high[axis] ? std::max(inside, box.low[axis]) : box.low[axis];
+}
+
+void wrap(Scene& scene) {
+  const std::optional<WallBox> box = box_of(scene);
+  if (!box || !box->periodic) return;
+  for (vec4& s : scene.positions)
+    for (int axis = 0; axis < 3; ++axis) along(s, axis) = wrapped(along(s, axis), *box, axis);
 }
 
 void require_inside(const Scene& scene) {
   const WallBox box = *box_of(scene);
   for (uint64_t i = 0; i < scene.size(); ++i) {
-    const vec4& s = scene.positions[i];
-    const float at[3] = {s.x, s.y, s.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool repeats = (box.periodic >> axis & 1) != 0;
-      if ((!repeats && !scene.contact.walls) || is_inside(at[axis], box, axis)) continue;
-      throw std::invalid_argument(
-          fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: {}", i, "xyz"[axis],
-                      at[axis], box.low[axis], box.high[axis],
-                      repeats ? "wrap it into the periodic box, below its upper face" : "give a larger --box"));
-    }
+    vec4 s = scene.positions[i];
+    for (int axis = 0; axis < 3; ++axis)
+      if (const float at = along(s, axis); !repeats(box, axis) && !(box.low[axis] < at && at < box.high[axis]))
+        throw std::invalid_argument(
+            fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: give a larger --box",
+                        i, "xyz"[axis], at, box.low[axis], box.high[axis]));
   }
 }
 
 void take_box(Scene& scene, const ContactChoice& choice) {
   const auto& [low, high, periodic] = *choice.box;
   for (int axis = 0; axis < 3; ++axis)
-    if (!(low[axis] < high[axis]))
+    if (const bool used = choice.walls || (choice.periodic | periodic) >> axis & 1; used && !(low[axis] < high[axis]))
       throw std::invalid_argument(fmt::format("the box is from {} to {} along {}: give the lower corner first",
                                               low[axis], high[axis], "xyz"[axis]));
   ContactOptions& contact = scene.contact;
@@ -82,7 +91,21 @@ void choose_box(Scene& scene, const ContactChoice& choice) {
     throw std::invalid_argument(
         "periodic axes need a box: give --box, or --walls for one around the spheres, or take the scene gas or bed");
   scene.contact.periodic |= choice.periodic;
-  if (choice.box || choice.periodic) require_inside(scene);
+  wrap(scene);
+  if (choice.box && scene.contact.walls) require_inside(scene);
+}
+
+uint64_t wrapped_centres(Scene scene, const ContactChoice& choice) {
+  const bool periodic = choice.periodic || (choice.box && choice.box->periodic);
+  if (choice.law == ContactLaw::none || !periodic) return 0;
+  const std::vector<vec4> before = scene.positions;
+  choose_box(scene, choice);
+  uint64_t count = 0;
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const vec4 &a = before[i], &b = scene.positions[i];
+    count += a.x != b.x || a.y != b.y || a.z != b.z;
+  }
+  return count;
 }
 
 }  // namespace spherepair

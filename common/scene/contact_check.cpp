@@ -67,18 +67,18 @@ std::string why_no_room(const Scene& scene) {
 }
 
 std::string why_no_images(const Scene& scene) {
-  const ContactOptions& contact = scene.contact;
-  if (contact.periodic & 2 && scene.gravity != 0)
+  if (scene.contact.periodic & 2 && scene.gravity != 0)
     return fmt::format(
-        "the box is periodic along y, where gravity is {} m/s^2: spheres would fall for ever; omit y, or "
-        "give --gravity 0",
+        "the box is periodic along y, where gravity is {} m/s^2: spheres would fall for ever; give --gravity 0, or a "
+        "box that is not periodic along y",
         scene.gravity);
+  const double least = least_period(scene);
   for (int axis = 0; axis < 3; ++axis)
-    if (const double period = period_of(scene, axis); period != 0 && !(period > least_period(scene)))
+    if (const double period = period_of(scene, axis); period != 0 && !(period > least))
       return fmt::format(
           "the periodic box is {:.6g} m along {}, but must be longer than {:.6g} m, two diameters and the skins of the "
-          "largest spheres: give a longer box, or leave {} out of the periodic axes",
-          period, "xyz"[axis], least_period(scene), "xyz"[axis]);
+          "largest spheres: give a longer box, or one that is not periodic along {}",
+          period, "xyz"[axis], least, "xyz"[axis]);
   return "";
 }
 

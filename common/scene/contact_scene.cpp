@@ -114,7 +114,7 @@ bool units_are_fine(const Scene& scene) {
   return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
 }
 
-// Of ways between images, see periodic.h: 2^-24 of five periods covers what centre_rounding has to add.
+// What a periodic box adds to the rounding of centres; see centre_rounding.
 double image_rounding(const Scene& scene) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) sum += period_of(scene, axis);

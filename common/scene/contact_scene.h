@@ -29,8 +29,11 @@ struct ContactChoice {
 // Sets the scene's contacts, motion and time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
-// Sets their box alone.
+// Sets their box alone, and wraps centres into it along periodic axes, rounded to float32.
 void choose_box(Scene& scene, const ContactChoice& choice);
+
+// Returns how many centres it would wrap.
+uint64_t wrapped_centres(Scene scene, const ContactChoice& choice);
 
 // Returns the density of the spheres in that of water. Forces and energies grow by this factor.
 inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }

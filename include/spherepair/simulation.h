@@ -43,9 +43,8 @@ typedef struct sp_scene {
   double drag;      /* of a fluid at rest: speeds alone fall to 1/e in 1/drag seconds; 0: none */
   sp_array walls; /* 2 x 3, F32 or F64: the lowest and the highest corner of a closed box, whose floor is the plane and
                    * replaces `plane`; none: no walls. With contacts only */
-  uint8_t
-      periodic[3]; /* 1: along this axis the box of `walls` repeats and has no walls. It must then be longer than two
-                    * diameters and some skin, and contain every centre. Along y there is no plane and no gravity */
+  uint8_t periodic[3]; /* 1: along this axis the box of `walls` repeats, without walls, and centres are wrapped into it.
+                        * It must be longer than two diameters and some skin. If y is periodic, gravity must be 0 */
 } sp_scene;
 
 typedef struct sp_simulation sp_simulation;

@@ -74,21 +74,7 @@ TEST_P(ContactsInKernels, NoPairOfTheIntegersIsLost) {
 // A list serves many steps and changes no bit; where it is not kept, each step lists its pairs.
 TEST_P(Contacts, NearPairsAreListedSeldom) {
   const Scene scene = gas({.side = 4, .ratio = 4, .law = ContactLaw::spring, .steps_a_contact = 12});
-  constexpr uint64_t steps = 500;
-  std::vector<uint> states[2];
-  uint64_t searches[2];
-  for (const bool keep : {false, true}) {
-    backend().keep_near_pairs(keep);
-    backend().upload(scene);
-    const uint64_t before = backend().work_counts().steps;
-    for (uint64_t step = 0; step < steps; ++step) backend().move();
-    searches[keep] = backend().work_counts().steps - before;
-    states[keep] = current_state(backend()).wide;
-  }
-  EXPECT_EQ(states[true], states[false]);
-  EXPECT_GE(searches[false], steps);
-  EXPECT_LT(searches[true], steps / 4);
-  EXPECT_GT(searches[true], 2u);
+  expect_near_pairs_listed_seldom(backend(), scene);
 }
 
 // What happens in between changes nothing: searches by any method and group size, questions. The kernels of contacts

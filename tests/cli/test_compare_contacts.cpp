@@ -25,8 +25,8 @@ class CompareContacts : public ProgramTest {
 };
 
 TEST_F(CompareContacts, ComparesTheRunThatWasAskedFor) {
-  for (const char* contact :
-       {"--contact spring --restitution 0.7", "--contact quartic --stiffness 1e9", "--contact hertz --drag 0.5"}) {
+  for (const char* contact : {"--contact spring --restitution 0.7", "--contact quartic --stiffness 1e9",
+                              "--contact hertz --drag 0.5", "--contact spring --periodic xz"}) {
     ASSERT_EQ(compared(contact, "r").code, 0) << contact;
     const nlohmann::json entry = read_json("r/results.json")["equality"][0];
     ASSERT_EQ(
@@ -46,8 +46,8 @@ TEST_F(CompareContacts, RecordsOfOtherContactsAreOthers) {
   ASSERT_EQ(compared_on_cpu("spring", "a").code, 0);
   ASSERT_EQ(compared_on_cpu("spring", "same").code, 0);
   EXPECT_EQ(equal("a", "same").code, 0);
-  for (const char* other :
-       {"hertz", "spring --stiffness 1e6", "spring --dt 1e-5", "spring --restitution 0.5", "spring --drag 0.1"}) {
+  for (const char* other : {"hertz", "spring --stiffness 1e6", "spring --dt 1e-5", "spring --restitution 0.5",
+                            "spring --drag 0.1", "spring --periodic xyz"}) {
     ASSERT_EQ(compared_on_cpu(other, "b").code, 0) << other;
     const Outcome outcome = equal("a", "b");
     EXPECT_EQ(outcome.code, 2) << other << outcome.output;

@@ -102,20 +102,7 @@ TEST_P(PeriodicContacts, SameBitsAsOnTheCpu) {
 // A list serves many steps though spheres cross faces.
 TEST_P(PeriodicContacts, NearPairsAreListedSeldom) {
   const Scene scene = periodic_gas(7, {.side = 4, .ratio = 4, .law = ContactLaw::spring, .steps_a_contact = 12});
-  constexpr uint64_t steps = 500;
-  std::vector<uint> states[2];
-  uint64_t searches[2];
-  for (const bool keep : {false, true}) {
-    backend().keep_near_pairs(keep);
-    backend().upload(scene);
-    const uint64_t before = backend().work_counts().steps;
-    for (uint64_t step = 0; step < steps; ++step) backend().move();
-    searches[keep] = backend().work_counts().steps - before;
-    states[keep] = current_state(backend()).wide;
-  }
-  EXPECT_EQ(states[true], states[false]);
-  EXPECT_GE(searches[false], steps);
-  EXPECT_LT(searches[true], steps / 4);
+  expect_near_pairs_listed_seldom(backend(), scene);
 }
 
 // Half a box is a whole number of units: a gas moved by it, and back into the box, moves alike.

@@ -69,9 +69,31 @@ TEST_F(PeriodicProgram, TakesTheBoxOfAFile) {
   good(file(slab) + "--ignore-periodic");
   EXPECT_FALSE(contacts().contains("periodic"));
   refused(file("Lattice=\"4 0 0 1 8 0 0 0 4\" pbc=\"T F T\""), "a periodic box along the axes");
-  refused(file("Lattice=\"4 0 0 0 8 0 0 0 3.5\" pbc=\"T F T\""), "sphere 1 is at z = 3.9");
+  const auto notes = [&](const std::string& arguments, const std::string& words) {
+    const Outcome outcome = good(arguments);
+    EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
+  };
+  notes(file(slab), "--walls closes along the other axes");
+  notes(file(slab), "periodic along xz, open along y");
+  notes(file("Lattice=\"4 0 0 0 8 0 0 0 3.5\" pbc=\"T F T\""), "1 centre outside the periodic box: wrapped");
+  notes(file("Lattice=\"4 0 0 0 0 0 0 0 4\" pbc=\"T F T\""), "periodic along xz, open along y");
+  refused(file(slab) + "--box 0,0,0,9,9,9", "omit --box");
+  refused(file(slab + " Origin=\"0 0\""), "Origin of three numbers");
+  folder_.write("box.data",
+                "atoms\n\n2 atoms\n-2 2 xlo xhi\n-2 2 ylo yhi\n-2 2 zlo zhi\n\nAtoms # sphere\n\n"
+                "1 1 0.5 1000 1.9 0 0\n2 1 0.5 1000 -1.7 0.2 0\n");
+  notes("run --backend cpu --contact spring --gravity 0 --steps 3 --input " + path("box.data"),
+        "from -2, -2, -2 to 2, 2, 2");
   refused(file("Lattice=\"4 0 0 0 8 0 0 0 4\" pbc=\"T T T\""), "gravity is -9.81");
   refused(fmt::format("run --input {} --steps 3", path("box.extxyz")), "--contact");
+}
+
+TEST_F(PeriodicProgram, IsComparedByTheMethodsOfAllPairs) {
+  const Outcome outcome = good(
+      "compare --scenes gas --n 60 --steps 4 --every 2 --backends cpu --contact spring --periodic xyz --tables none "
+      "--results " +
+      path("r"));
+  EXPECT_EQ(outcome.output.find("collide_group"), std::string::npos) << outcome.output;
 }
 
 TEST_F(PeriodicProgram, RefusesWhatHasNoMeaning) {
@@ -82,8 +104,8 @@ TEST_F(PeriodicProgram, RefusesWhatHasNoMeaning) {
   refused("run --scene column --n 20 --contact spring --steps 3 --periodic xz", "need a box");
   refused("run --scene gas --n 2 --contact spring --steps 3 --periodic x --packing-fraction 0.5",
           "must be longer than");
-  refused(gas + " --steps 3 --swept", "periodic box");
-  refused(gas + " --steps 3 --naive", "periodic box");
+  for (const char* other : {"--swept", "--naive", "--method collide_group"})
+    refused(fmt::format("{} --steps 3 {}", gas, other), "omit --naive, --swept");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ PERIODIC = [
     mutant("cpu: pairs of two images push twice", "common/cpu/cpu_contacts.cpp", "return pair.first >= n; });", "return false && pair.first >= n; });", "PeriodicContacts"),
     mutant("glsl: an image is another sphere's", "shaders/contact/contact_images.comp", "image_of[1u + pair.y - p.n]", "image_of[pair.y - p.n]", "PeriodicContacts"),
     mutant("devices: images have no more room than at first", "common/simulation/contacts.cpp", "if (images <= capacity) return context_.n + images;", "if (images <= capacity || capacity) return context_.n + std::min(images, capacity);", "PeriodicContacts"),
-    mutant("a box shorter than two reaches is taken", "common/scene/contact_check.cpp", "!(period > least_period(scene))", "false", "PeriodicChecks"),
+    mutant("a box shorter than two reaches is taken", "common/scene/contact_check.cpp", "!(period > least)", "false", "PeriodicChecks"),
+    mutant("a centre on the upper face stays there", "common/scene/contact_box.cpp", "at < box.high[axis])) return at;", "at <= box.high[axis])) return at;", "PeriodicChecks"),
+    mutant("cpu: a search ends a run", "common/cpu/cpu_contacts.cpp", "  failed_.faults = faults;\n", "", "PeriodicChecks"),
     mutant("a resumed box does not repeat", "common/files/checkpoint.cpp", ".periodic = c.walls >> 1,", ".periodic = 0,", "PeriodicProgram"),
 ]

@@ -119,4 +119,22 @@ std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t 
   return current_state(backend).wide;
 }
 
+void expect_near_pairs_listed_seldom(Backend& backend, const Scene& scene) {
+  constexpr uint64_t steps = 500;
+  std::vector<uint> states[2];
+  uint64_t searches[2];
+  for (const bool keep : {false, true}) {
+    backend.keep_near_pairs(keep);
+    backend.upload(scene);
+    const uint64_t before = backend.work_counts().steps;
+    for (uint64_t step = 0; step < steps; ++step) backend.move();
+    searches[keep] = backend.work_counts().steps - before;
+    states[keep] = current_state(backend).wide;
+  }
+  EXPECT_EQ(states[true], states[false]);
+  EXPECT_GE(searches[false], steps);
+  EXPECT_LT(searches[true], steps / 4);
+  EXPECT_GT(searches[true], 2u);
+}
+
 }  // namespace spherepair

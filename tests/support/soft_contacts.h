@@ -35,6 +35,9 @@ std::vector<uint> in_order(const std::vector<uint>& wide, std::span<const uint> 
 
 Scene with(Scene scene, const Motion::State& state);
 
+// That a list of near pairs serves many steps and changes no bit; where it is not kept, each step lists its pairs.
+void expect_near_pairs_listed_seldom(Backend& backend, const Scene& scene);
+
 // The wide state after `steps` steps and as many back. With drops_a_contact, one contact is dropped once, at the turn.
 std::vector<uint> there_and_back(Backend& backend, const Scene& scene, uint64_t steps, bool drops_a_contact);
 

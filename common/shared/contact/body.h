@@ -20,7 +20,7 @@ FN vec4 centre_of(Body s, ContactParams c) {
   return centre;
 }
 
-// Returns the sphere inside the periodic box, out of which no step moves it by more than a period.
+// Wraps the sphere into the periodic box, given that it is at most a period outside.
 FN Body wrapped(Body s, ContactParams c) {
   uint axes = periodic_axes(c);
   s.x = inside_box(s.x, (axes & 1u) != 0u, c.low_x, c.high_x);
