@@ -18,6 +18,7 @@
 #include "bench/io/context.h"
 #include "bench/io/output_files.h"
 #include "bench/measure/choice.h"
+#include "common/backend/checks.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -230,6 +231,7 @@ int render_command(const CommandLine& line, const RenderOptions& given) {
   const ChosenBackend chosen = choose_backend(options.backend, line.open);
   const bool by_grid = !options.plain && options.method.empty();  // light uses the grid's cells
   const Method method = by_grid ? Method::collide_grid : choose_method(options.method, *chosen.backend);
+  if (starts.front().scene.contact.periodic) check_images({.method = method});
   for (const std::string& warning : chosen.session->warnings()) fmt::print(stderr, "{}\n", warning);
   Series series{line, options, starts, chosen, method, !options.plain};
   print_summary(series, draw_series(series));

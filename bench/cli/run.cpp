@@ -14,6 +14,7 @@
 #include "bench/output/sphere_output.h"
 #include "bench/run/run_files.h"
 #include "bench/run/run_steps.h"
+#include "common/backend/checks.h"
 #include "common/scene/counted.h"
 
 namespace spherepair {
@@ -144,15 +145,11 @@ int run_command(const CommandLine& line, const RunOptions& options) {
     throw std::invalid_argument(
         start.motion ? "--swept tests paths without drag, and the checkpoint's run has drag: omit --swept"
                      : "--swept tests paths without drag: omit it, or --drag");
-  if (start.scene.contact.periodic &&
-      (options.naive || options.swept || options.method == method_name(Method::collide_group)))
-    throw std::invalid_argument(
-        "in a periodic box pairs are found of all spheres, where they are now, and with the exact test only: omit "
-        "--naive, --swept and --method collide_group");
   const ChosenBackend chosen =
       times.spend(RunTimes::opening, [&] { return choose_backend(options.backend, line.open, line.opener); });
   Backend& backend = *chosen.backend;
   const CollideOptions collide = collide_options(options, backend);
+  if (start.scene.contact.periodic) check_images(collide);
   if (!options.statistics_file.empty() && (!collide.exact || collide.swept || collide.method == Method::collide_group))
     throw std::invalid_argument(
         "--statistics needs every pair of the exact test: omit --naive, --swept and --method collide_group");

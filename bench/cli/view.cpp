@@ -8,6 +8,7 @@
 #include "bench/measure/choice.h"
 #include "bench/options/options.h"
 #include "bench/viewer/viewer.h"
+#include "common/backend/checks.h"
 
 namespace spherepair {
 namespace {
@@ -59,12 +60,13 @@ int view_command(const CommandLine& line, const ViewOptions& options) {
   fmt::print(
       "{}{}{}\n", session.summary(),
       display.shared ? "  images stay in the window's OpenGL context\n" : "  images are uploaded to the window\n",
-      plane_text(start.scene) + describe_contacts(start.scene));
+      start.notes + plane_text(start.scene) + describe_contacts(start.scene));
   std::string first = options.backend;
   if (first.empty()) first = preferred_backend(session, open);
   Backend* backend = session.find(first);
   if (!backend) throw BackendError(fmt::format("the backend {} could not be opened, see above", first));
   const Method method = choose_method(options.method, *backend);
+  if (start.scene.contact.periodic) check_images({.method = method});
   const std::string first_method = options.method.empty() ? "collide_grid" : method_name(method);
   Viewer viewer(session, start,
                 {.backend = first,

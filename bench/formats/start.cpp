@@ -91,21 +91,25 @@ ContactChoice contacts_of(const SphereFile& input, const MotionChoice& motion) {
 Start start_from(SphereFile input, const MotionChoice& motion) {
   const ContactChoice contact = contacts_of(input, motion);
   choose_motion(input.scene, motion);
+  uint64_t outside = 0;
+  if (contact.box) {
+    WallBox box = *contact.box;
+    box.periodic |= contact.periodic;
+    outside = wrap_centres(input.scene, box);
+  }
   if (motion.plane) {
     take_plane(input.scene, *motion.plane, contact.law != ContactLaw::none);
   } else {
     lower_plane(input.scene);
     raise_plane(input.scene, contact);
   }
-  const uint64_t outside = wrapped_centres(input.scene, contact);
   choose_contacts(input.scene, contact);
   Start start;
   start.label = input.scene.name;
   start.notes = describe(input);
   if (outside) start.notes += fmt::format("{} outside the periodic box: wrapped into it\n", counted(outside, "centre"));
   if (input.box && contact.law != ContactLaw::none && !contact.walls && input.scene.contact.periodic != 7)
-    start.notes += fmt::format("{} has a box, which --walls closes{}; without it the spheres leave it\n", input.file,
-                               input.scene.contact.periodic ? " along the other axes" : "");
+    start.notes += fmt::format("{} has a box whose open faces spheres can leave: --walls closes them\n", input.file);
   if (!input.units.empty() && input.units != "m")
     start.notes += fmt::format("WARNING: motion takes lengths for metres: 1 {} moves as 1 m does\n", input.units);
   start.record = to_json(input);

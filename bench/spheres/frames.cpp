@@ -119,11 +119,12 @@ std::optional<WallBox> box_along_axes(const ListBox& box, const Point3& low) {
   WallBox along;
   for (size_t axis = 0; axis < 3; ++axis) {
     const double edge = box.rows[axis][axis];
-    if (!(edge > 0) && (box.periodic[axis] || edge != 0)) return std::nullopt;
+    if (!(edge > 0) && (edge != 0 || box.periodic[axis] || box.is_open())) return std::nullopt;
     for (size_t other = 0; other < 3; ++other)
       if (axis != other && box.rows[axis][other] != 0) return std::nullopt;
     along.low[axis] = float(low[axis]);
     along.high[axis] = float(double(along.low[axis]) + edge);
+    if (!std::isfinite(along.low[axis]) || !std::isfinite(along.high[axis])) return std::nullopt;
     along.periodic |= uint(box.periodic[axis]) << axis;
   }
   return along;

@@ -59,6 +59,7 @@ void read_box_line(const FileBytes& file, uint64_t line, std::span<const std::st
     header.has_edge[axis] = true;
     header.box_line = line;
   }
+  if (keyword == "abc origin") std::ranges::copy(numbers(3), header.low.begin());
   if (keyword != "xy xz yz") return;
   const auto tilts = numbers(3);
   rows[1][0] = tilts[0], rows[2][0] = tilts[1], rows[2][1] = tilts[2];

@@ -70,7 +70,7 @@ DumpBox read_bounds(const FileBytes& file, FileLines& cursor, std::string_view h
   for (size_t axis = 0; axis < 3; ++axis) {
     box.box.periodic[axis] = words[axis] == "pp";
     bounds[axis] = numbers_in(file, cursor, general ? 4 : tilted ? 3 : 2);
-    if (general) std::copy_n(bounds[axis].begin(), 3, box.box.rows[axis].begin());
+    if (general) std::copy_n(bounds[axis].begin(), 3, box.box.rows[axis].begin()), box.low[axis] = bounds[axis][3];
   }
   if (!general) set_edges(box, bounds, tilted);
   for (size_t axis = 0; axis < 3 && !general; ++axis)

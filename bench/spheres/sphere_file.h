@@ -20,7 +20,7 @@ struct SphereFileOptions {
   bool decimal_comma = false;             // of text: 0,5 is a half
   bool ignore_radii = false;              // of the file: all spheres get the option's
   bool species = false;                   // reads a column of text; an error for formats without species
-  bool ignore_periodic = false;           // reads a file as if it had no periodic box: else that is an error, unless:
+  bool ignore_periodic = false;           // drops a periodic box, an error without the next two
   bool moves_in_box = false;              // a periodic box becomes `box`, for motion with contacts
   bool exact = false;                     // fills `given`, a periodic box included, in place of the scene
   int threads = 0;                        // 0: all cores

@@ -32,8 +32,7 @@ void check_collide(const CollideOptions& options) {
 void check_images(const CollideOptions& options) {
   if (!options.exact || options.swept || options.method == Method::collide_group)
     throw std::invalid_argument(
-        "in a periodic box pairs are found of all spheres, where they are now, and with the exact test only: omit the "
-        "naive test, pairs within the next step and the method collide_group");
+        "a periodic box goes with neither --naive, --swept nor --method collide_group: omit them");
 }
 
 void refuse_missing(const std::string& backend, const CollideOptions& options, const ApiOptions& offered, bool thrust) {

@@ -23,13 +23,6 @@ float wrapped(float at, const WallBox& box, int axis) {
   return inside < box.high[axis] ? std::max(inside, box.low[axis]) : box.low[axis];
 }
 
-void wrap(Scene& scene) {
-  const std::optional<WallBox> box = box_of(scene);
-  if (!box || !box->periodic) return;
-  for (vec4& s : scene.positions)
-    for (int axis = 0; axis < 3; ++axis) along(s, axis) = wrapped(along(s, axis), *box, axis);
-}
-
 void require_inside(const Scene& scene) {
   const WallBox box = *box_of(scene);
   for (uint64_t i = 0; i < scene.size(); ++i) {
@@ -37,8 +30,8 @@ void require_inside(const Scene& scene) {
     for (int axis = 0; axis < 3; ++axis)
       if (const float at = along(s, axis); !repeats(box, axis) && !(box.low[axis] < at && at < box.high[axis]))
         throw std::invalid_argument(
-            fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: give a larger --box",
-                        i, "xyz"[axis], at, box.low[axis], box.high[axis]));
+            fmt::format("the centre of sphere {} is at {} = {}, outside of the box from {} to {}: give a larger box", i,
+                        "xyz"[axis], at, box.low[axis], box.high[axis]));
   }
 }
 
@@ -46,8 +39,9 @@ void take_box(Scene& scene, const ContactChoice& choice) {
   const auto& [low, high, periodic] = *choice.box;
   for (int axis = 0; axis < 3; ++axis)
     if (const bool used = choice.walls || (choice.periodic | periodic) >> axis & 1; used && !(low[axis] < high[axis]))
-      throw std::invalid_argument(fmt::format("the box is from {} to {} along {}: give the lower corner first",
-                                              low[axis], high[axis], "xyz"[axis]));
+      throw std::invalid_argument(fmt::format(
+          "the box is from {} to {} along {}, but needs a length: give the lower corner first, or omit --walls",
+          low[axis], high[axis], "xyz"[axis]));
   ContactOptions& contact = scene.contact;
   contact.walls = choice.walls, contact.periodic = periodic;
   if (choice.walls || (choice.periodic | periodic) & 2) scene.plane = low[1];
@@ -87,23 +81,21 @@ double least_period(const Scene& scene) {
 
 void choose_box(Scene& scene, const ContactChoice& choice) {
   choice.box ? take_box(scene, choice) : box_around_spheres(scene, choice.walls);
+  if (scene.positions.empty() && !box_of(scene)) return;
   if (choice.periodic && !box_of(scene))
     throw std::invalid_argument(
         "periodic axes need a box: give --box, or --walls for one around the spheres, or take the scene gas or bed");
   scene.contact.periodic |= choice.periodic;
-  wrap(scene);
+  if (const auto box = box_of(scene)) wrap_centres(scene, *box);
   if (choice.box && scene.contact.walls) require_inside(scene);
 }
 
-uint64_t wrapped_centres(Scene scene, const ContactChoice& choice) {
-  const bool periodic = choice.periodic || (choice.box && choice.box->periodic);
-  if (choice.law == ContactLaw::none || !periodic) return 0;
-  const std::vector<vec4> before = scene.positions;
-  choose_box(scene, choice);
+uint64_t wrap_centres(Scene& scene, const WallBox& box) {
   uint64_t count = 0;
-  for (uint64_t i = 0; i < scene.size(); ++i) {
-    const vec4 &a = before[i], &b = scene.positions[i];
-    count += a.x != b.x || a.y != b.y || a.z != b.z;
+  for (vec4& s : scene.positions) {
+    const vec4 given = s;
+    for (int axis = 0; axis < 3; ++axis) along(s, axis) = wrapped(along(s, axis), box, axis);
+    count += s.x != given.x || s.y != given.y || s.z != given.z;
   }
   return count;
 }

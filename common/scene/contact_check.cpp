@@ -67,6 +67,7 @@ std::string why_no_room(const Scene& scene) {
 }
 
 std::string why_no_images(const Scene& scene) {
+  if (scene.size() == 0) return "";
   if (scene.contact.periodic & 2 && scene.gravity != 0)
     return fmt::format(
         "the box is periodic along y, where gravity is {} m/s^2: spheres would fall for ever; give --gravity 0, or a "

@@ -101,8 +101,10 @@ void choose_contacts(Scene& scene, const ContactChoice& choice) {
 double extent_of(const Scene& scene) {
   double extent = std::max(std::abs(double(scene.plane)), double(radii_of(scene).largest));
   for (const vec4& s : scene.positions) extent = std::max(extent, farthest_coordinate(s));
-  if (box_of(scene))
-    for (const vec4& s : {scene.contact.low, scene.contact.high}) extent = std::max(extent, farthest_coordinate(s));
+  const std::optional<WallBox> box = box_of(scene);
+  for (int axis = 0; axis < 3 && box; ++axis)
+    if (scene.contact.walls || box->periodic >> axis & 1)
+      extent = std::max({extent, std::abs(double(box->low[axis])), std::abs(double(box->high[axis]))});
   return extent;
 }
 

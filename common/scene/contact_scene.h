@@ -22,18 +22,18 @@ struct ContactChoice {
   float drag = 0;                // in 1/s, see ContactOptions
   bool sleeping = true;
   bool walls = false;               // close a box along the axes that are not periodic: the scene's ...
-  std::optional<WallBox> box = {};  // ... or this one, else one around the spheres; its lowest face is the plane
+  std::optional<WallBox> box = {};  // ... or this one, else one around the spheres; with walls its floor is the plane
   uint periodic = 0;                // bits x, y, z: the scene's box or this one repeats along these axes, too
 };
 
 // Sets the scene's contacts, motion and time step. Throws std::invalid_argument that names what is wrong.
 void choose_contacts(Scene& scene, const ContactChoice& choice);
 
-// Sets their box alone, and wraps centres into it along periodic axes, rounded to float32.
+// Sets their box alone, and wraps centres into it.
 void choose_box(Scene& scene, const ContactChoice& choice);
 
-// Returns how many centres it would wrap.
-uint64_t wrapped_centres(Scene scene, const ContactChoice& choice);
+// Wraps centres into the box along its periodic axes, rounded to float32; returns how many.
+uint64_t wrap_centres(Scene& scene, const WallBox& box);
 
 // Returns the density of the spheres in that of water. Forces and energies grow by this factor.
 inline double times_water(const Scene& scene) { return double(scene.contact.density) / double(water); }

@@ -168,7 +168,7 @@ struct UNIFORM_ALIGN ContactParams {
   float drag_loss;                    // share of a momentum that drag takes in half a step
   uint sleeping;                      // SLEEP_* and TESTS_ALL_WALLS, see contact_rest.h
   // Corners of the periodic box, in metres; equal along axes that are not periodic. See periodic.h.
-  vec4 box_low;   // w: how far rounding moves a way between images, in metres
+  vec4 box_low;   // w: what the box adds to centre_rounding, in metres
   vec4 box_high;  // w: how far a grown sphere reaches for images, beyond its own radius
 };
 

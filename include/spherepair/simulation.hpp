@@ -18,7 +18,7 @@ namespace spherepair {
 
 using Row = std::array<float, 3>;
 
-// The corners of a closed box, whose floor is the plane, and the axes along which it repeats and has no walls.
+// A box: its corners, and the axes along which it repeats. The others have walls; the floor is the plane.
 struct Walls {
   std::array<double, 3> low, high;
   std::array<bool, 3> periodic = {};

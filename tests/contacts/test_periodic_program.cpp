@@ -73,10 +73,12 @@ TEST_F(PeriodicProgram, TakesTheBoxOfAFile) {
     const Outcome outcome = good(arguments);
     EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
   };
-  notes(file(slab), "--walls closes along the other axes");
+  const std::string flat = "Lattice=\"4 0 0 0 0 0 0 0 4\" pbc=\"T F T\"";
+  notes(file(slab), "open faces spheres can leave: --walls closes them");
   notes(file(slab), "periodic along xz, open along y");
   notes(file("Lattice=\"4 0 0 0 8 0 0 0 3.5\" pbc=\"T F T\""), "1 centre outside the periodic box: wrapped");
-  notes(file("Lattice=\"4 0 0 0 0 0 0 0 4\" pbc=\"T F T\""), "periodic along xz, open along y");
+  notes(file(flat), "periodic along xz, open along y");
+  refused(file(flat) + "--walls", "needs a length");
   refused(file(slab) + "--box 0,0,0,9,9,9", "omit --box");
   refused(file(slab + " Origin=\"0 0\""), "Origin of three numbers");
   folder_.write("box.data",
@@ -105,7 +107,7 @@ TEST_F(PeriodicProgram, RefusesWhatHasNoMeaning) {
   refused("run --scene gas --n 2 --contact spring --steps 3 --periodic x --packing-fraction 0.5",
           "must be longer than");
   for (const char* other : {"--swept", "--naive", "--method collide_group"})
-    refused(fmt::format("{} --steps 3 {}", gas, other), "omit --naive, --swept");
+    refused(fmt::format("{} --steps 3 {}", gas, other), "goes with neither --naive, --swept nor");
 }
 
 }  // namespace

@@ -156,6 +156,10 @@ TEST(PeriodicChecks, NameWhatIsWrong) {
   expect(why({{0, 0, 0}, {2, 2, 1.05f}, 7}, 0, 0), "1.05 m along z, but must be longer than 1.0625 m");
   EXPECT_EQ(why({{0, 0, 0}, {2, 2, 1.05f}, 3}, 0, 0), "");
   expect(why({{0, 0, 0}, {2, -1, 2}, 7}, 0, 0), "give the lower corner first");
+  Scene empty{.name = "none", .gravity = 0};
+  choose_contacts(empty, {.law = ContactLaw::spring, .walls = true, .periodic = 7});
+  choose_contacts(empty, {.law = ContactLaw::spring, .box = WallBox{{0, 0, 0}, {2, 2, 2}, 7}});
+  EXPECT_EQ(why_no_contacts(empty), "");
 }
 
 // Also those on the upper face, where float32 may have rounded them to, and far outside. Others stay as they are.
@@ -164,14 +168,15 @@ TEST(PeriodicChecks, CentresAreWrapped) {
   scene.positions = {{-2, 1, 0, 0.25f}, {2, 1, 0, 0.25f}, {-3, 100, -2.5f, 0.25f}, {0.1f, 0.5f, 2.5f, 0.25f}};
   scene.velocities.resize(4);
   const ContactChoice choice{.law = ContactLaw::spring, .box = WallBox{{-2, -1, -2}, {2, 1, 2}, 5}};
-  EXPECT_EQ(wrapped_centres(scene, choice), 3u);
+  Scene once = scene;
+  EXPECT_EQ(wrap_centres(once, *choice.box), 3u);
   choose_contacts(scene, choice);
   const vec4 wanted[] = {{-2, 1, 0, 0.25f}, {-2, 1, 0, 0.25f}, {1, 100, 1.5f, 0.25f}, {0.1f, 0.5f, -1.5f, 0.25f}};
   for (size_t i = 0; i < 4; ++i)
     EXPECT_TRUE(scene.positions[i].x == wanted[i].x && scene.positions[i].y == wanted[i].y &&
                 scene.positions[i].z == wanted[i].z)
         << i;
-  EXPECT_EQ(wrapped_centres(scene, choice), 0u);
+  EXPECT_EQ(wrap_centres(scene, *choice.box), 0u);
 }
 
 // A sphere flies along an open axis until float32 is too coarse for its skin. The run ends alike whether a search comes

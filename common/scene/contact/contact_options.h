@@ -39,7 +39,7 @@ struct ContactOptions {
   bool sleeping = true;          // with drag, steps skip spheres at rest; the same bits
   bool tests_all_walls = false;  // also for spheres away from walls, for measuring; the same bits
   bool walls = false;            // a closed box: four sides and a lid, the plane is its floor
-  vec4 low = {}, high = {};      // its corners; low.y is not used, the plane's height is
+  vec4 low = {}, high = {};      // its corners; the floor is the plane, or low.y if y is open
   uint periodic = 0;             // bits x, y, z: the box repeats along these axes, which then have no walls
   int unit_exponent = 0, momentum_exponent = 0;
   float skin = 0;  // around spheres, in radii: see skin_of

@@ -29,8 +29,8 @@ FN uint highest_of(vec4 v, uint highest) {
   return highest_scale(float_bits(v.x), highest_scale(float_bits(v.y), highest_scale(float_bits(v.z), highest)));
 }
 
-// Integers at once: few pairs are across a face of the box. A sum of four floats takes one bit more than in
-// decide_exact.
+// Decides pairs across a face in integers, without a filter: they are few. A sum of four floats takes one bit more than
+// in decide_exact.
 FN bool images_collide(vec4 a, vec4 b, ContactParams c, float scale, float offset) {
   int x_shift = nearest_shift(a.x, b.x, c.box_low.x, c.box_high.x);
   int y_shift = nearest_shift(a.y, b.y, c.box_low.y, c.box_high.y);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Periodic boxes of contacts. The integers of centres stay inside the box: from its lower corner on, below its upper
-// one, to which float32 may round them. Of all images of a sphere the one nearest to another pushes it; a box is longer
-// than two reaches, so no other one touches it. The search for near pairs sees images as spheres of their own, after
-// the n spheres.
+// Periodic boxes of contacts. In integers, centres lie in [low, high) along periodic axes; float32 may round one up to
+// high. Of all images of a sphere the one nearest to another pushes it; a box is longer than two reaches, so no other
+// one touches it. The search for near pairs sees images as spheres of their own, after the n spheres.
 #ifndef SPHEREPAIR_PERIODIC_H
 #define SPHEREPAIR_PERIODIC_H
 

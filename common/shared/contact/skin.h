@@ -21,9 +21,9 @@ FN vec4 grown_sphere(vec4 sphere, ContactParams c) {
   vec4 grown = {sphere.x, sphere.y, sphere.z, radius};
   return grown;
 }
-// Of this centre and a later one: each 2^-24 of a coordinate at most. A periodic box adds 2^-24 of up to four periods:
-// one for an image, which is a period farther out, one for a centre that was wrapped since, two for the way between
-// images. All times 1.25.
+// Returns how far rounding can move this centre and a later one, in metres: each by 2^-24 of a coordinate at most. A
+// periodic box adds 2^-24 of up to four periods: one for an image, which is a period farther out, one for a centre that
+// was wrapped since, two for the way between images. All times 1.25.
 FN float centre_rounding(vec4 centre, ContactParams c) {
   EXACT float sum = larger(centre.x, -centre.x) + larger(centre.y, -centre.y) + larger(centre.z, -centre.z);
   EXACT float rounding = sum * bits_float(0x34200000u) + c.box_low.w;  // 1.25 * 2^-23
