@@ -105,6 +105,30 @@ TEST_P(PeriodicContacts, NearPairsAreListedSeldom) {
   expect_near_pairs_listed_seldom(backend(), scene);
 }
 
+// A cloud spreads from the middle of its box, along x faster than along y and z: at first no sphere has an image, then
+// more and more have one.
+TEST_P(PeriodicContacts, ImagesGetRoomAsTheyBecomeMore) {
+  Scene scene = gas({.side = 5, .law = ContactLaw::spring, .steps_a_contact = 12});
+  const float middle = 2.625f;
+  for (uint64_t i = 0; i < scene.size(); ++i) {
+    const vec4& s = scene.positions[i];
+    scene.velocities[i] = {0.6f * (s.x - middle), 0.4f * (s.y - middle), 0.2f * (s.z - middle), 0};
+  }
+  choose_contacts(scene, {.law = ContactLaw::spring,
+                          .stiffness = scene.contact.stiffness,
+                          .dt = scene.dt,
+                          .box = WallBox{{-1, -1, -1}, {6.25f, 6.25f, 6.25f}, 7}});
+  ASSERT_EQ(why_no_contacts(scene), "");
+  cpu_backend().upload(scene);
+  uint64_t steps = 0, pairs = 0;
+  for (; pairs < 40 && steps < 8000; ++steps) {
+    cpu_backend().move();
+    if (steps % 50 == 0) cpu_backend().collide({}), pairs = cpu_backend().collisions().pairs;
+  }
+  EXPECT_GE(pairs, 40u) << "across faces";
+  expect_equal_states(run_steps(backend(), scene, steps + 100), run_steps(cpu_backend(), scene, steps + 100), "spread");
+}
+
 // Half a box is a whole number of units: a gas moved by it, and back into the box, moves alike.
 TEST_P(PeriodicContacts, AMovedGasMovesAlike) {
   const float length = 8;
