@@ -109,7 +109,7 @@ void Contacts::launch_pairs(Kernel kernel, const Params& params) {
   context_.launch({kernel, SERVICE_BLOCK, {}, groups}, params);
 }
 
-// Grows the spheres and, in a periodic box, makes room for their images until all fit.
+// Grows the spheres. In a periodic box it does so again until there is room for all their images.
 uint64_t Contacts::grow_spheres() {
   Buffers& buffers = context_.buffers;
   for (;;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A gas in a box that repeats along some axes, for tests of periodic contacts.
+// Tests of periodic contacts start from this gas.
 #pragma once
 
 #include "common/scene/contact_scene.h"

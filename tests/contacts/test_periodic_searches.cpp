@@ -106,8 +106,8 @@ TEST_P(PeriodicSearches, OtherSearchesAreRefused) {
 
 INSTANTIATE_BACKENDS(PeriodicSearches);
 
-// Without walls the pressure is (2 K + virial) / 3 V, and its density that of all spheres. Carnahan and Starling's
-// holds for hard spheres; soft ones press less, the softer, the less.
+// Without walls the pressure is (2 K + virial) / 3 V, and the density that of all spheres. Carnahan and Starling's
+// equation is of hard spheres. Soft ones press a little less.
 TEST(PeriodicGas, HasThePressureOfCarnahanAndStarling) {
   const uint64_t n = by_form(2744, 1000);
   for (const double fraction : {0.1, 0.3}) {
