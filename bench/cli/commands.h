@@ -6,10 +6,13 @@
 
 #include "bench/formats/start.h"
 #include "bench/options/command.h"
-#include "bench/options/options.h"
 #include "bench/run/run_options.h"
 #include "bench/tables/plan.h"
 #include "common/image/antialiased_image.h"
+
+namespace CLI {  // not its header, which takes long to compile
+class App;
+}
 
 namespace spherepair {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/cli/commands.h"
+#include "bench/options/options.h"
 
 #include "bench/image/colour_values.h"
 #include "bench/image/image_files.h"

@@ -5,6 +5,7 @@
 #include "bench/io/arguments.h"
 #include "bench/io/output_files.h"
 #include "bench/npy/rows_file.h"
+#include "bench/options/options.h"
 #include "bench/output/pair_file.h"
 #include "bench/spheres/sphere_formats.h"
 

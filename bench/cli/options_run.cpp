@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/cli/commands.h"
+#include "bench/options/options.h"
 
 namespace spherepair {
 namespace {

@@ -14,8 +14,6 @@
 
 namespace spherepair {
 
-using Action = std::function<int()>;
-
 // For transform(), which replaces 16k or 1e6 by digits.
 CLI::Validator whole_number(uint64_t low, uint64_t high);
 CLI::Validator real_number(double low, double high);

@@ -16,7 +16,7 @@
 namespace spherepair {
 namespace {
 
-constexpr float speed = 1;  // metres per second
+constexpr float top_speed = 1;  // of any sphere along an axis, metres per second
 
 SceneOptions scene_options(const SetPlan& plan, MotionOptions motion, int k) {
   return {.name = "random", .n = plan.n, .seed = plan.seed, .motion = motion, .dt = std::ldexp(1.0f, -k)};
@@ -91,7 +91,7 @@ json set_json(const SetError& error) {
 Scene drifting_scene(const SetPlan& plan, MotionOptions motion, int k, float offset) {
   Scene scene = make_scene(scene_options(plan, motion, k));
   const auto hashed = [&](uint64_t index) {
-    return speed * (float(splitmix64(splitmix64(plan.seed) + index) >> 40) * 0x1p-23f - 1);
+    return top_speed * (float(splitmix64(splitmix64(plan.seed) + index) >> 40) * 0x1p-23f - 1);
   };
   for (uint64_t i = 0; i < scene.size(); ++i) {
     scene.positions[i].x += offset;

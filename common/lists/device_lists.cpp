@@ -111,7 +111,6 @@ void DeviceLists::prepare_systems() {
   launch(Kernel::list_bin, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
   if (tiles > 1) launch(Kernel::grid_sums, SCAN_BLOCK, tiles);
   launch(Kernel::grid_scan, SCAN_BLOCK, tiles);
-  launch(Kernel::list_scatter, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
   launch(Kernel::list_look, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK));
 }
 
@@ -139,7 +138,7 @@ DeviceLists::Found DeviceLists::found() {
 void DeviceLists::fill() {
   if (is_empty()) return;  // nothing was counted
   if (counts_again_) count();
-  launch(Kernel::list_find, row_block(), row_groups());
+  launch(Kernel::list_find, row_block(), std::min<uint64_t>(row_groups(), LIST_LONG_GROUPS));
   launch(Kernel::list_order, LIST_ORDER_BLOCK, ceil_div(looking(), 1u << sent_.state.order_bits));
 }
 

@@ -23,7 +23,7 @@ float any(const SceneOptions& o, uint64_t number) {
 float largest_radius(const SceneOptions& o) { return o.radius * o.radius_ratio; }
 
 // Returns the largest float whose cube, rounded to double, is not above `value`, whatever the libm.
-float cube_root(double value) {
+float cube_root_below(double value) {
   const auto cube = [](float x) { return double(x) * double(x) * double(x); };
   float root = float(std::cbrt(value));
   while (cube(std::nextafter(root, INFINITY)) <= value) root = std::nextafter(root, INFINITY);
@@ -74,7 +74,7 @@ void make_gas(Scene& scene, const SceneOptions& o) {
   const uint64_t side = cube_side(o.n);
   const double diameter = 2 * double(largest_radius(o));
   const Lattice cells{side, side,
-                      cube_root(diameter * diameter * diameter * (std::numbers::pi / 6) / o.packing_fraction)};
+                      cube_root_below(diameter * diameter * diameter * (std::numbers::pi / 6) / o.packing_fraction)};
   fill(scene, o, cells, 1);
   close_box(scene, o, cells, side);
   scene.gravity = 0;

@@ -10,6 +10,7 @@
 #define LIST_BLOCK 128               // group size of list_count and list_find; half of it for LIST_ROWS rows
 #define LIST_ROWS 32u                // rows, at most, for which a group looks; as few as there are groups ...
 #define LIST_ROW_GROUPS 2048u        // ... up to this number
+#define LIST_LONG_GROUPS 2048u       // groups, at most, of list_find
 #define LIST_NEAR 8                  // cells, at most, along each axis, from where the first row's reach begins
 #define LIST_FEW 2.0f                // points in a cube as long as the reach, below which rows look alone
 #define LIST_RANGES 32u              // ranges of cells that a group looks through at a time

@@ -6,16 +6,18 @@
 namespace spherepair {
 
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffers buf) {
-  if (group_index(p) >= buf.list_state[0].longer || !is_right(buf) || !has_room(buf)) return;
-  uint first = buf.list_long[group_index(p)] << buf.list_state[0].row_bits;
-  uint k = first + lane_of_row(buf);
-  bool looks = k < buf.list_state[0].looking;
-  uint i = buf.list_look[looks ? k : first].i;
-  KeyRange row;
-  row.count = buf.row_length[i];
-  row.first = keys_at(buf, i, row.count);
-  found[lane_of_row(buf)] = 0u;
-  find_pairs(buf, k, looks && row.count > buf.list_state[0].kept, first, row);
+  if (!is_right(buf) || !has_room(buf)) return;
+  for (uint group = group_index(p); group < buf.list_state[0].longer; group += LIST_LONG_GROUPS) {
+    uint first = buf.list_long[group] << buf.list_state[0].row_bits;
+    uint k = first + lane_of_row(buf);
+    bool looks = k < buf.list_state[0].looking;
+    uint i = buf.list_look[looks ? k : first].i;
+    KeyRange row;
+    row.count = buf.row_length[i];
+    row.first = keys_at(buf, i, row.count);
+    found[lane_of_row(buf)] = 0u;
+    find_pairs(buf, k, looks && row.count > buf.list_state[0].kept, first, row);
+  }
 }
 
 Entry list_find_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_find); }

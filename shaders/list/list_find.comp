@@ -8,14 +8,16 @@ layout(std430, binding = SLOT_LIST_LONG) restrict readonly buffer ListLongBuffer
 layout(local_size_x = BLOCK) in;
 
 void main() {
-  if (group_index() >= list_state[0].longer || !is_right() || !has_room()) return;
-  uint first = list_long[group_index()] << list_state[0].row_bits;
-  uint k = first + lane_of_row();
-  bool looks = k < list_state[0].looking;
-  uint i = list_look[looks ? k : first].i;
-  KeyRange row;
-  row.count = row_length[i];
-  row.first = keys_at(i, row.count);
-  found[lane_of_row()] = 0u;
-  find_pairs(k, looks && row.count > list_state[0].kept, first, row);
+  if (!is_right() || !has_room()) return;
+  for (uint group = group_index(); group < list_state[0].longer; group += LIST_LONG_GROUPS) {
+    uint first = list_long[group] << list_state[0].row_bits;
+    uint k = first + lane_of_row();
+    bool looks = k < list_state[0].looking;
+    uint i = list_look[looks ? k : first].i;
+    KeyRange row;
+    row.count = row_length[i];
+    row.first = keys_at(i, row.count);
+    found[lane_of_row()] = 0u;
+    find_pairs(k, looks && row.count > list_state[0].kept, first, row);
+  }
 }

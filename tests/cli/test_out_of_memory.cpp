@@ -42,24 +42,24 @@ class OutOfMemory : public ProgramTest {
 };
 
 TEST_F(OutOfMemory, OfAllPairsOnManyThreadsIsAnError) {
-  expect_an_error_or_success("run --backend cpu --n 60000 --method parallel --threads 32", 60000, 1000);
+  expect_an_error_or_success("run --backend cpu --n 60000 --method parallel --threads 32", 60000, 2500);
 }
 
 TEST_F(OutOfMemory, OfThePairsWithinAStepIsAnError) {
-  expect_an_error_or_success("run --backend cpu --n 2000 --swept --scene one_cell --threads 2", 150000, 5000);
+  expect_an_error_or_success("run --backend cpu --n 2000 --swept --scene one_cell --threads 2", 150000, 12000);
 }
 
 TEST_F(OutOfMemory, OfTheGridAndItsListIsAnError) {
   const std::string pairs = " --pairs " + path("pairs.txt");
   expect_an_error_or_success("run --backend cpu --n 60000 --method collide_grid --scene clustered --threads 8" + pairs,
-                             200000, 4000);
+                             200000, 9000);
 }
 
 TEST_F(OutOfMemory, OfReadingSpheresIsAnError) {
   std::string text = "60000\n\n";
   for (int k = 0; k < 60000; ++k) text += fmt::format("{} 2 3 0.25\n", k);
   const std::string files = fmt::format("--input {} --output {}", folder_.write("row.xyz", text), path("row.npy"));
-  expect_an_error_or_success("pairs --backend cpu --threads 8 " + files, 100000, 2000);
+  expect_an_error_or_success("pairs --backend cpu --threads 8 " + files, 100000, 4500);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string npy_array(const std::string& shape, const std::vector<Real>& numbers
 
 const std::string two_centres = npy_array<float>("(2, 3)", {0.5, 1, 2, 3.5, 4, 5}),
                   two_radii = npy_array<double>("(2,)", {0.75, 1});
-const std::string cube = npy_array<double>("(3, 3)", {4, 0, 0, 0, 5, 0, 0, 0, 6});
+const std::string box_array = npy_array<double>("(3, 3)", {4, 0, 0, 0, 5, 0, 0, 0, 6});
 
 class NpzFile : public PairsCommand {
  protected:
@@ -157,7 +157,7 @@ TEST_F(NpzFile, PairsInItsBoxAreThoseOfTheSameLattice) {
   EXPECT_EQ(of_xyz("Lattice=\"4 0 0 1 5 0 2 -1 4.5\""),
             of_npz(two_centres, {{"box.npy", npy_array<double>("(3, 3)", {4, 0, 0, 1, 5, 0, 2, -1, 4.5})}}));
   const Members open = {{"spheres.npy", npy_array<float>("(1, 4)", {0, 0, 0, 1})},
-                        {"box.npy", cube},
+                        {"box.npy", box_array},
                         {"pbc.npy", npy_array<uint8_t>("(1,)", {0}, "u")}};
   EXPECT_EQ(read(open, {.exact = true}).periodic, "");
 }
@@ -220,7 +220,7 @@ TEST_F(NpzFile, BadArraysAreRefusedWhereTheyAre) {
          "a box of shape (3, 3)", "(2, 3)");
   expect({centres, {"box.npy", npy_array<double>("(3,)", {4, std::nan(""), 5})}}, "'box.npy', byte 136",
          "a finite number", "nan");
-  expect({centres, {"box.npy", cube}, {"pbc.npy", npy_array<uint8_t>("(2,)", {1, 1}, "u")}}, "'pbc.npy', byte 60",
+  expect({centres, {"box.npy", box_array}, {"pbc.npy", npy_array<uint8_t>("(2,)", {1, 1}, "u")}}, "'pbc.npy', byte 60",
          "pbc of shape (3,)", "(2, 1)");
   const auto refusal = [&](const Members& members, const SphereFileOptions& asked) {
     return complaint_of([&] { read(members, asked); });
@@ -230,12 +230,12 @@ TEST_F(NpzFile, BadArraysAreRefusedWhereTheyAre) {
   has(refusal({{"mass.npy", two_radii}, {"radii.npy", two_radii}}, {}),
       "columns x, y and z must be among 'mass radii'");
   has(refusal({centres, {"centers.npy", two_centres}, {"positions.npy", two_centres}}, {.radius = 1}), "stands twice");
-  has(refusal({centres, {"box.npy", cube}}, {.radius = 1}),
+  has(refusal({centres, {"box.npy", box_array}}, {.radius = 1}),
       "expected spheres without a periodic box, since only `pairs`");
   has(refusal({centres}, {.radius = 1, .ignore_periodic = true}), "has no periodic box: omit --ignore-periodic");
   has(refusal({centres, {"pbc.npy", npy_array<uint8_t>("(1,)", {1}, "u")}}, {.radius = 1, .exact = true}),
       "an array box beside pbc");
-  EXPECT_EQ(read({centres, {"box.npy", cube}}, {.radius = 1, .ignore_periodic = true}).ignored,
+  EXPECT_EQ(read({centres, {"box.npy", box_array}}, {.radius = 1, .ignore_periodic = true}).ignored,
             "box (4 0 0), (0 5 0), (0 0 6)");
 }
 
