@@ -14,7 +14,7 @@ inline const ScratchFolder& scratch() {
   return folder;
 }
 
-inline SphereFile read_text(const std::string& text, const SphereFileOptions& options = {},
+inline SphereFile read_from(const std::string& text, const SphereFileOptions& options = {},
                             const std::string& kind = "xyz") {
   return read_sphere_file(scratch().write("spheres." + kind, text), options);
 }

@@ -43,7 +43,7 @@ void expect_every_layout(const std::vector<vec4>& spheres, size_t columns) {
         const std::string data = npy_data(rows_of<Real>(spheres, columns), columns, big_endian, fortran_order);
         SCOPED_TRACE(fmt::format("version {}, {}, {}, {}", int(version), dtype, shape, fortran_order));
         const SphereFile input =
-            read_text(npy_file(npy_header(dtype, shape, fortran_order), data, version), options, "npy");
+            read_from(npy_file(npy_header(dtype, shape, fortran_order), data, version), options, "npy");
         expect_spheres(input, spheres);
         EXPECT_EQ(input.own_radii, columns == 4);
         EXPECT_EQ(input.values, spheres.size() * columns);
@@ -74,7 +74,7 @@ TEST(SphereFile, NpyHeadersAsOthersWriteThem) {
   for (const char* header : {"{\"shape\":(1,3),\"fortran_order\":False,\"descr\":\"<f4\"}",
                              "{ 'descr' : '=f4' , 'fortran_order' : True , 'shape' : ( 1L , 3L , ) , }",
                              "{'fortran_order': False, 'descr': '<f4', 'shape': (1, 3)}"})
-    expect_spheres(read_text(npy_file(header, data), {.radius = 2}, "npy"), {{1, 2, 3, 2}});
+    expect_spheres(read_from(npy_file(header, data), {.radius = 2}, "npy"), {{1, 2, 3, 2}});
 }
 
 TEST(SphereFile, NpyCountsWhatFloat32CannotHold) {
@@ -83,7 +83,7 @@ TEST(SphereFile, NpyCountsWhatFloat32CannotHold) {
   std::vector<double> rows(12, 1);
   std::copy(values.begin(), values.end(), rows.begin());
   const std::string bytes = npy_file(npy_header("<f8", "(4, 3)"), npy_data(rows, 3));
-  const SphereFile input = read_text(bytes, {.radius = 1}, "npy");
+  const SphereFile input = read_from(bytes, {.radius = 1}, "npy");
   EXPECT_EQ(input.changed, 4u) << "0.1, 1e-60, 16777217 and 3e38";
   EXPECT_EQ(input.values, 12u);
   expect_spheres(input, {{0.5f, rounded, 0, 1}, {16777216, rounded, 3e38f, 1}, {-0.0f, smallest, 1, 1}, {1, 1, 1, 1}});
@@ -93,31 +93,31 @@ TEST(SphereFile, NpyCountsWhatFloat32CannotHold) {
 TEST(SphereFile, ClassicXyz) {
   const std::vector<vec4> equal = {{1, -2.5f, 3, 0.25f}, {4, 5, 6, 0.25f}}, own = {{1, 2, 3, 0.5f}, {4, 5, 6, 0.75f}};
   const SphereFileOptions radius = {.radius = 0.25f};
-  expect_spheres(read_text("2\na comment\nH 1 -2.5 3\nC4 4 5 6\n", radius), equal);
-  expect_spheres(read_text("2\n\n1 -2.5 3\n4 5 6", radius), equal);
-  expect_spheres(read_text(" 2 \r\nhello\r\n\tH\t1  -2.5e0 +3.0 \r\n C 4. 5 .6e1\r\n\r\n \r\n", radius), equal);
-  expect_spheres(read_text("2\n\nH 1 2 3 0.5\nH 4 5 6 0.75\n"), own);
-  expect_spheres(read_text("2\n\n1. 2 3 0.5\n4 5 6 75e-2\n"), own);
-  expect_spheres(read_text("0\nnothing\n"), {});
+  expect_spheres(read_from("2\na comment\nH 1 -2.5 3\nC4 4 5 6\n", radius), equal);
+  expect_spheres(read_from("2\n\n1 -2.5 3\n4 5 6", radius), equal);
+  expect_spheres(read_from(" 2 \r\nhello\r\n\tH\t1  -2.5e0 +3.0 \r\n C 4. 5 .6e1\r\n\r\n \r\n", radius), equal);
+  expect_spheres(read_from("2\n\nH 1 2 3 0.5\nH 4 5 6 0.75\n"), own);
+  expect_spheres(read_from("2\n\n1. 2 3 0.5\n4 5 6 75e-2\n"), own);
+  expect_spheres(read_from("0\nnothing\n"), {});
 }
 
 TEST(SphereFile, ExtendedXyzFindsColumnsByName) {
   const std::vector<vec4> own = {{1, 2, 3, 0.5f}, {4, 5, 6, 0.75f}};
-  expect_spheres(read_text("2\nProperties=species:S:1:pos:R:3:radius:R:1\nH 1 2 3 0.5\nHe 4 5 6 0.75\n"), own);
-  expect_spheres(read_text("2\nLattice=\"9 0 0  0 9 0  0 0 9\" Properties=radius:R:1:force:R:2:pos:R:3 pbc=\"F F F\"\n"
+  expect_spheres(read_from("2\nProperties=species:S:1:pos:R:3:radius:R:1\nH 1 2 3 0.5\nHe 4 5 6 0.75\n"), own);
+  expect_spheres(read_from("2\nLattice=\"9 0 0  0 9 0  0 0 9\" Properties=radius:R:1:force:R:2:pos:R:3 pbc=\"F F F\"\n"
                            "0.5 9 9 1 2 3\n0.75 9 9 4 5 6\n",
                            {}, "extxyz"),
                  own);
   expect_spheres(
-      read_text("2\nnote='Properties=pos:R:3' \"a key\"={x y} flag Properties=\"id:I:1:pos:I:3:radius:R:1\"\n"
+      read_from("2\nnote='Properties=pos:R:3' \"a key\"={x y} flag Properties=\"id:I:1:pos:I:3:radius:R:1\"\n"
                 "7 1 2 3 .5\n8 4 5 6 .75\n"),
       own);
   // A number in front is the species here, since the properties say so.
-  expect_spheres(read_text("1\nProperties=species:S:1:pos:R:3\n6 1 2 3\n", {.radius = 1}), {{1, 2, 3, 1}});
+  expect_spheres(read_from("1\nProperties=species:S:1:pos:R:3\n6 1 2 3\n", {.radius = 1}), {{1, 2, 3, 1}});
 }
 
 TEST(SphereFile, ExtendedXyzKnowsRadiiAndVelocities) {
-  const SphereFile input = read_text("1\nProperties=pos:R:3:radii:R:1:velo:R:3\n1 2 3 .5 6 7 8\n");
+  const SphereFile input = read_from("1\nProperties=pos:R:3:radii:R:1:velo:R:3\n1 2 3 .5 6 7 8\n");
   ASSERT_EQ(input.scene.size(), 1u);
   EXPECT_EQ(input.scene.positions[0].w, 0.5f);
   EXPECT_EQ(input.scene.velocities[0].z, 8);
@@ -137,7 +137,7 @@ TEST(SphereFile, WithoutASpeedIsAtRestInEveryFormat) {
 
 TEST(SphereFile, ExtendedXyzSaysThatMomentaAreNoVelocities) {
   const auto says = [](const std::string& text) {
-    return describe(read_text(text)).find("momenta are not read") != std::string::npos;
+    return describe(read_from(text)).find("momenta are not read") != std::string::npos;
   };
   const std::string row = " 1 2 3 .5 6 7 8\n", both = " 1 2 3 .5 6 7 8 6 7 8\n";
   EXPECT_TRUE(says("1\nProperties=pos:R:3:radius:R:1:momenta:R:3\n" + row));
@@ -147,14 +147,14 @@ TEST(SphereFile, ExtendedXyzSaysThatMomentaAreNoVelocities) {
 
 TEST(SphereFile, FramesOfXyz) {
   const std::string frames = "1\nfirst\n1 2 3\n\n2\nProperties=pos:R:3:radius:R:1\n4 5 6 1\n7 8 9 2\n0\n\n";
-  const SphereFile first = read_text(frames, {.radius = 1});
+  const SphereFile first = read_from(frames, {.radius = 1});
   expect_spheres(first, {{1, 2, 3, 1}});
   EXPECT_EQ(first.frames, 3u);
   EXPECT_NE(describe(first).find("frame 0 of 3"), std::string::npos) << describe(first);
-  expect_spheres(read_text(frames, {.radius = 1, .frame = 0}), {{1, 2, 3, 1}});
-  expect_spheres(read_text(frames, {.frame = 1}), {{4, 5, 6, 1}, {7, 8, 9, 2}});
-  expect_spheres(read_text(frames, {.frame = 2}), {});
-  EXPECT_EQ(read_text("1\n\n1 2 3\n", {.radius = 1}).frames, 1u);
+  expect_spheres(read_from(frames, {.radius = 1, .frame = 0}), {{1, 2, 3, 1}});
+  expect_spheres(read_from(frames, {.frame = 1}), {{4, 5, 6, 1}, {7, 8, 9, 2}});
+  expect_spheres(read_from(frames, {.frame = 2}), {});
+  EXPECT_EQ(read_from("1\n\n1 2 3\n", {.radius = 1}).frames, 1u);
 }
 
 // Lines are shared out among threads.
@@ -163,7 +163,7 @@ TEST(SphereFile, LongXyz) {
   std::string text = fmt::format("{}\n\n", spheres.size());
   for (const vec4& s : spheres) text += fmt::format("Ar {} {} {} {}\n", s.x, s.y, s.z, s.w);
   for (int threads : {0, 1, 3}) {
-    const SphereFile input = read_text(text, {.threads = threads});
+    const SphereFile input = read_from(text, {.threads = threads});
     expect_spheres(input, spheres);
     EXPECT_EQ(input.changed, 0u) << "the shortest decimals are kept to their last digit";
   }

@@ -14,15 +14,15 @@ namespace {
 
 // Spheres fall onto each other and come to rest; the lists of near pairs are renewed on the way.
 constexpr uint64_t steps = 1600, every = 100, n = 8;
-const SceneOptions bed = {.name = "bed", .n = n, .restitution = 0.3f};
+const SceneOptions bed_scene = {.name = "bed", .n = n, .restitution = 0.3f};
 const ContactChoice contact = {.law = ContactLaw::spring, .stiffness = 1e6f, .dt = 1.25e-3f, .drag = 100};
 const std::string words = fmt::format(
     "bed --n {} --contact spring --restitution 0.3 --stiffness 1e6 --dt 1.25e-3 --drag 100 --steps {}", n, steps);
 
 std::vector<EqualityEntry> lockstep(Session& session, uint64_t compared) {
   Progress progress;
-  return check_lockstep(session, {bed, steps, compared, {Method::sequential, Method::collide_grid}, {64}, contact},
-                        progress);
+  return check_lockstep(
+      session, {bed_scene, steps, compared, {Method::sequential, Method::collide_grid}, {64}, contact}, progress);
 }
 
 TEST(ContactJudge, LockstepAcceptsRightSteps) {
@@ -41,7 +41,7 @@ TEST(ContactJudge, LockstepNamesEveryFault) {
 
 // The first step behind which a sphere has the state of the step before.
 uint64_t first_step_at_rest() {
-  Scene scene = make_scene(bed);
+  Scene scene = make_scene(bed_scene);
   choose_contacts(scene, contact);
   Backend& cpu = cpu_backend();
   cpu.upload(scene);

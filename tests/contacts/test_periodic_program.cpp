@@ -11,11 +11,11 @@ namespace {
 
 using PeriodicProgram = RunProgram;
 
-const std::string gas = "run --backend cpu --scene gas --n 200 --contact spring --restitution 0.9 --periodic xyz";
+const std::string gas_run = "run --backend cpu --scene gas --n 200 --contact spring --restitution 0.9 --periodic xyz";
 
 TEST_F(PeriodicProgram, GoesOnFromACheckpoint) {
-  good(fmt::format("{} --steps 300 --json {}", gas, path("a.json")));
-  good(fmt::format("{} --steps 170 --save {}", gas, path("ck")));
+  good(fmt::format("{} --steps 300 --json {}", gas_run, path("a.json")));
+  good(fmt::format("{} --steps 170 --save {}", gas_run, path("ck")));
   const Outcome outcome =
       good(fmt::format("run --backend cpu --resume {} --steps 130 --json {}", path("ck"), path("b.json")));
   EXPECT_EQ(state("a.json"), state("b.json"));
@@ -27,8 +27,8 @@ TEST_F(PeriodicProgram, GoesOnFromACheckpoint) {
 
 // `pairs` finds in the written file, whose box is periodic, the pairs that the run found.
 TEST_F(PeriodicProgram, WritesItsBoxAndReadsIt) {
-  good(fmt::format("{} --packing-fraction 0.5 --steps 200 --spheres {} --json {} --pairs {}", gas, path("end.extxyz"),
-                   path("a.json"), path("a.csv")));
+  good(fmt::format("{} --packing-fraction 0.5 --steps 200 --spheres {} --json {} --pairs {}", gas_run,
+                   path("end.extxyz"), path("a.json"), path("a.csv")));
   const std::string text = read_bytes(path("end.extxyz"));
   EXPECT_NE(text.find("pbc=\"T T T\""), std::string::npos) << text.substr(0, 300);
   good(fmt::format("pairs --backend cpu {} --output {}", path("end.extxyz"), path("b.csv")));
@@ -107,7 +107,7 @@ TEST_F(PeriodicProgram, RefusesWhatHasNoMeaning) {
   refused("run --scene gas --n 2 --contact spring --steps 3 --periodic x --packing-fraction 0.5",
           "must be longer than");
   for (const char* other : {"--swept", "--naive", "--method collide_group"})
-    refused(fmt::format("{} --steps 3 {}", gas, other), "goes with neither --naive, --swept nor");
+    refused(fmt::format("{} --steps 3 {}", gas_run, other), "goes with neither --naive, --swept nor");
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(ColumnMeaning, NumbersThatMayMeanTwoThingsAreRefusedWithTheOptionThatTells)
       {"charge.xyz", "1\n\nNa 1 2 3 1\n", columns({"_", "x", "y", "z", "_"}, 0.5), {{1, 2, 3, 0.5f}}},
       {"five.xyz", "1\n\n1 1 2 3 .5\n", columns({"_", "x", "y", "z", "radius"}), {{1, 2, 3, 0.5f}}},
   });
-  const SphereFile dark = read_text("0 0 0 1 0 0 1\n1 1 1 2 1 0 0\n", {}, "txt");
+  const SphereFile dark = read_from("0 0 0 1 0 0 1\n1 1 1 2 1 0 0\n", {}, "txt");
   EXPECT_EQ(dark.scene.velocities[0].z, 1) << "colours of 0 and 1 alone would be black";
   const std::string rows = npy_file(npy_header("<f4", "(1, 6)"), npy_data<float>({1, 2, 3, 4, 5, 6}, 6));
   expect_case({"six.npy", rows, {}, {}, {"--columns"}});
@@ -175,7 +175,7 @@ TEST(ColumnMeaning, UnitsDiametersAndDecimalCommas) {
 TEST(ColumnMeaning, ADiameterIsHalvedWithoutAnotherRounding) {
   for (const char* diameter :
        {"0.1", "1e-45", "3e-45", "1.17549435e-38", "0.30000000000000004", "3.4e38", "7.0064923e-45"}) {
-    const SphereFile input = read_text(fmt::format("x,y,z,diameter\n0,0,0,{}\n", diameter), {}, "csv");
+    const SphereFile input = read_from(fmt::format("x,y,z,diameter\n0,0,0,{}\n", diameter), {}, "csv");
     const double exact = std::strtod(diameter, nullptr) / 2, read = input.scene.positions[0].w;
     EXPECT_LE(std::abs(read - exact), std::max(exact * 0x1p-24, 0x1p-150)) << diameter;
     EXPECT_GE(double(input.largest_rounding), std::abs(read - exact)) << diameter;

@@ -81,7 +81,7 @@ TEST(XyzComment, OpenBoxesAreRead) {
   for (const char* open : {"pbc=\"F F F\"", "pbc = \"FALSE FALSE FALSE\"", "pbc = [False, false, F]", "pbc={F F F}",
                            "pbc = \"0 0 0\"", "\"pbc\" = \"F F F\" note = \"a box\""}) {
     expect_case({"open.xyz", frame_of("Lattice = \"" + lattice_numbers + "\" " + open), half, two_atoms});
-    EXPECT_EQ(describe(read_text(frame_of(open), half)).find("WARNING"), std::string::npos) << open;
+    EXPECT_EQ(describe(read_from(frame_of(open), half)).find("WARNING"), std::string::npos) << open;
   }
 }
 
@@ -89,15 +89,15 @@ TEST(XyzComment, OtherWordsForABoxAreWarnedOf) {
   for (const char* comment :
        {"box 10 10 10", "spheres in a periodic box", "Lattice 10 0 0 0 10 0 0 0 10", "# cell: 10 10 10",
         "note=\"the cell is 10\"", "boxsize=10", "PBC: yes", "supercell 2x2x2", "Box{10}", "lattice_constant=10"}) {
-    const std::string said = describe(read_text(frame_of(comment), half));
+    const std::string said = describe(read_from(frame_of(comment), half));
     EXPECT_NE(said.find("WARNING: a comment has a word for a box"), said.npos) << comment << ": " << said;
     SphereFileOptions ignoring = half;
     ignoring.ignore_periodic = true;
-    EXPECT_EQ(describe(read_text(frame_of(comment), ignoring)).find("WARNING"), std::string::npos) << "as asked for";
+    EXPECT_EQ(describe(read_from(frame_of(comment), ignoring)).find("WARNING"), std::string::npos) << "as asked for";
   }
-  EXPECT_NE(describe(read_text("# box 10 10 10, periodic\n1 2 3 4\n", {}, "txt")).find("WARNING"), std::string::npos);
+  EXPECT_NE(describe(read_from("# box 10 10 10, periodic\n1 2 3 4\n", {}, "txt")).find("WARNING"), std::string::npos);
   for (const char* comment : {"", "an excellent day", "cancelled", "energy=3 step=4", "Atoms. Timestep: 0"})
-    EXPECT_EQ(describe(read_text(frame_of(comment), half)).find("WARNING"), std::string::npos) << comment;
+    EXPECT_EQ(describe(read_from(frame_of(comment), half)).find("WARNING"), std::string::npos) << comment;
 }
 
 TEST(XyzComment, WhatIsNoValueIsRefused) {

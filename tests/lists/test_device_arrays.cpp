@@ -18,8 +18,8 @@ std::vector<Element> read(const sp_array& array) {
 }
 
 // The numbers of a list, wherever they lie.
-struct Columns {
-  explicit Columns(const sp_pairs& list)
+struct ColumnValues {
+  explicit ColumnValues(const sp_pairs& list)
       : first(read<int32_t>(list.first)),
         second(read<int32_t>(list.second)),
         shifts(read<int32_t>(list.shifts)),
@@ -29,17 +29,17 @@ struct Columns {
   std::vector<int32_t> first, second, shifts;
   std::vector<int64_t> offsets;
   std::vector<double> vectors, distances;
-  bool operator==(const Columns&) const = default;
+  bool operator==(const ColumnValues&) const = default;
 };
 
 class DeviceArraysOfCuda : public WithCuda {
  protected:
-  Columns list(const sp_problem& problem) {
+  ColumnValues list(const sp_problem& problem) {
     sp_pairs* made = nullptr;
     EXPECT_EQ(sp_list(context_, &problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS, &made), SP_OK)
         << sp_message(context_);
-    if (!made) return Columns({});
-    Columns columns(*made);
+    if (!made) return ColumnValues({});
+    ColumnValues columns(*made);
     sp_free(made);
     return columns;
   }
@@ -58,7 +58,7 @@ TEST_F(DeviceArraysOfCuda, HaveTheListsOfTheHosts) {
   size_t pairs = 0;
   for (int k = 0; k < 200; ++k) {
     const Both both(random_problem(random), k % 2 == 1);
-    const Columns wanted = list(both.host);
+    const ColumnValues wanted = list(both.host);
     std::swap(cpu, context_);
     EXPECT_TRUE(list(both.device) == wanted) << "case " << k;
     int64_t count = 0;

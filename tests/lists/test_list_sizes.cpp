@@ -54,5 +54,21 @@ TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
   }
 }
 
+// Among three million points 70,000 crowd together, with about 20 neighbours each. list_count has no room for their
+// rows, which are in more groups than list_find has.
+TEST_P(Lists, MoreGroupsHaveLongRowsThanAreLaunched) {
+  if (backend().info().software) GTEST_SKIP() << "takes a minute in software";
+  Random random(97);
+  ListProblem problem = of_points({}, 1);
+  const auto along = [&] { return random.uniform(-25, -1); };
+  for (uint64_t i = 0; i < 70'000; ++i) problem.set.points.push_back({along(), along(), along()});
+  for (uint64_t i = 0; i < 2'930'000; ++i)
+    problem.set.points.push_back({2.0 * double(i % 144), 2.0 * double(i / 144 % 144), 2.0 * double(i / (144 * 144))});
+  problem.set.offsets = {0, problem.set.size()};
+  const std::vector<ListedPair> wanted = list_by_search(backend(), problem).pairs();
+  EXPECT_GT(wanted.size(), 70'000u * LIST_KEPT_LEAST);
+  EXPECT_EQ(first_difference(list(problem), wanted), "");
+}
+
 }  // namespace
 }  // namespace spherepair
