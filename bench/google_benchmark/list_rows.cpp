@@ -69,6 +69,20 @@ ListProblem asked(uint64_t n, double fraction) {
   return problem;
 }
 
+// A lattice whose points have six neighbours at a distance of 0.1, but for a part `off` of it.
+ListProblem cubic(double off, double cutoff) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> moved(-off, off);
+  ListProblem problem;
+  for (int k = 0; k < 1000000; ++k)
+    problem.set.points.push_back(
+        {(k % 100 + moved(random)) * 0.1, (k / 100 % 100 + moved(random)) * 0.1, (k / 10000 + moved(random)) * 0.1});
+  problem.set.offsets = {0, problem.set.size()};
+  problem.boxes = {ListBox{}};
+  problem.cutoff = cutoff;
+  return problem;
+}
+
 struct ListScene {
   const char* name;
   ListProblem (*make)();
@@ -108,6 +122,10 @@ constexpr ListScene scenes[] = {{"cscl-128-6",
                                  true, true},
                                 {"packed-1e6", [] { return packed(1000000, 0.3); }, false, true},
                                 {"packed-1e7", [] { return packed(10000000, 0.3); }, false, true},
+                                // Which stage decides about the six neighbours of each point.
+                                {"cubic-1e6-by-float32", [] { return cubic(0, 0.105); }, false, true},
+                                {"cubic-1e6-by-float64", [] { return cubic(1e-9, 0.1); }, false, true},
+                                {"cubic-1e6-by-integers", [] { return cubic(0, 0.1); }, false, true},
                                 {"queries-1e6-sparse", [] { return asked(1000000, 0.3); }, false, true},
                                 {"queries-1e6-dense", [] { return asked(1000000, 5); }, false, true}};
 

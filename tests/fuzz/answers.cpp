@@ -9,7 +9,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(answers) {
   Values values(data, size);
   const bool equal_radii = values.next<uint8_t>() % 2;
   const auto radius = equal_radii ? std::optional<double>(values.next<float>()) : std::nullopt;
@@ -19,8 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string file = npy_file(header, std::string(values.rest().substr(0, rows * row)));
   const auto input = unless_refused(
       [&] { return read_sphere_file(input_file("spheres.npy", file), {.radius = radius, .threads = 1}); });
-  if (!input) return 0;
+  if (!input) return;
   fuzzed_backend().upload(input->scene);
   require_one_set();
-  return 0;
 }

@@ -47,12 +47,11 @@ void go_on(Checkpoint checkpoint) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(checkpoint) {
   const std::string given(text_of(data, size));
   for (const std::string& bytes : {given, with_right_checksums(given)}) {
     const std::string file = input_file("run.checkpoint", bytes);
     const auto checkpoint = unless_refused([&] { return read_checkpoint(file); });
     if (checkpoint && checkpoint->scene.size() <= 200) unless_refused([&] { return go_on(*checkpoint), true; });
   }
-  return 0;
 }

@@ -93,19 +93,18 @@ std::optional<Answer> second_reading(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(columns) {
   const std::string text(text_of(data, size)), file = input_file("columns.txt", text);
   const auto own = unless_refused([&] { return read_sphere_file(file, {.threads = 1}); });
   const auto given = unless_refused([&] { return read_sphere_file(file, {.radius = 0.5f, .threads = 1}); });
   require(!own || !given, "a file has radii and has none");
   const auto answer = second_reading(text);
-  if (!answer) return 0;
+  if (!answer) return;
   const auto& read = own ? own : given;
   require(answer->good == read.has_value(), "two readings of text differ in whether it is good");
-  if (!read) return 0;
+  if (!read) return;
   require(read->scene.size() == answer->spheres.size(), "two readings of text differ in the number of spheres");
   for (size_t k = 0; k < answer->spheres.size(); ++k)
     for (size_t c = 0; c < 4; ++c)
       require((&read->scene.positions[k].x)[c] == answer->spheres[k][c], "two readings of text differ in a number");
-  return 0;
 }

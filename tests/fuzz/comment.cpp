@@ -76,7 +76,7 @@ Token token_at(std::string_view text, size_t at, bool value) {
   return found.end > at ? found : Token{c == '=' ? '=' : 'e', "", true, at, at + 1};
 }
 
-std::vector<CommentPair> second_reading(std::string_view text) {
+std::vector<CommentPair> comment_by_words(std::string_view text) {
   std::vector<Token> tokens;
   for (size_t at = 0; at < text.size();) {
     if (among(text[at], blank)) {
@@ -105,9 +105,9 @@ std::vector<CommentPair> second_reading(std::string_view text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(comment) {
   const std::string_view text = text_of(data, size);
-  const std::vector<CommentPair> read = parse_comment(text), again = second_reading(text);
+  const std::vector<CommentPair> read = parse_comment(text), again = comment_by_words(text);
   require(read.size() == again.size(), "two readings of a comment differ in the number of pairs");
   for (size_t k = 0; k < read.size(); ++k) {
     require(read[k].key == again[k].key, "two readings of a comment differ in a key");
@@ -115,5 +115,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(read[k].complete == again[k].complete, "two readings of a comment differ in what is complete");
   }
   mentions_box(text);
-  return 0;
 }

@@ -3,12 +3,35 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 #include "api/open.h"
 #include "bench/check/step_result.h"
 #include "tests/support/sphere_files.h"
 
 namespace spherepair {
+namespace {
+
+using Fuzzed = void (*)(const uint8_t* data, size_t size);
+
+std::map<std::string, Fuzzed>& targets() {
+  static std::map<std::string, Fuzzed> all;
+  return all;
+}
+
+Fuzzed chosen_target() {
+  const char* const name = std::getenv("FUZZ_TARGET");
+  const auto found = targets().find(name ? name : "");
+  if (found != targets().end()) return found->second;
+  std::fputs("FUZZ_TARGET must be one of:", stderr);
+  for (const auto& [target, fuzzed] : targets()) std::fprintf(stderr, " %s", target.c_str());
+  std::fputs("\n", stderr);
+  std::exit(2);
+}
+
+}  // namespace
+
+FuzzTarget::FuzzTarget(const char* name, Fuzzed fuzzed) { targets().emplace(name, fuzzed); }
 
 std::string input_file(const std::string& name, std::string_view bytes) {
   static const ScratchFolder folder;
@@ -39,3 +62,9 @@ void require_one_set() {
 }
 
 }  // namespace spherepair
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static const auto fuzzed = spherepair::chosen_target();
+  fuzzed(data, size);
+  return 0;
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shared by the fuzz targets. A target is one file with libFuzzer's entry. Bad bytes may only end in
-// std::invalid_argument: any other exception, a crash, a sanitizer's report or a wait of 10 s is a finding.
+// Shared by the fuzz targets, which are one program: FUZZ_TARGET in its environment names the target that is given
+// bytes. Bad bytes may only end in std::invalid_argument: any other exception, a crash, a sanitizer's report or a wait
+// of 10 s is a finding.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,17 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
+// Begins the definition of a target.
+#define FUZZ(name)                                                       \
+  static void fuzz_##name(const uint8_t* data, size_t size);             \
+  static const spherepair::FuzzTarget target_##name(#name, fuzz_##name); \
+  static void fuzz_##name(const uint8_t* data, size_t size)
+
 namespace spherepair {
+
+struct FuzzTarget {
+  FuzzTarget(const char* name, void (*fuzzed)(const uint8_t* data, size_t size));
+};
 
 // Writes the bytes to a file of this name, in memory where the system has such a folder, and returns its path.
 std::string input_file(const std::string& name, std::string_view bytes);

@@ -7,7 +7,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(lammps_data) {
   const std::string file = input_file("spheres.data", text_of(data, size));
   const SphereFileOptions own_radii = {.ignore_periodic = true, .threads = 1};
   const SphereFileOptions one_radius = {.radius = 0.5f, .species = true, .ignore_periodic = true, .threads = 1};
@@ -22,5 +22,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     describe(*input);
     to_json(*input).dump();
   }
-  return 0;
 }

@@ -32,7 +32,7 @@ sp_array array_in(Values& values, std::array<double, ROOM>& memory) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(lists) {
   static sp_context* const context = [] {
     sp_context* opened = nullptr;
     require(sp_open("cpu", nullptr, 1, &opened) == SP_OK, "the CPU opens");
@@ -53,11 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   int64_t count = -1;
   const sp_status counted = sp_count(context, &problem, &count);
   require((counted == SP_OK) == (*sp_message(context) == 0), "what fails says why");
-  if (counted != SP_OK || count > 100'000) return 0;
+  if (counted != SP_OK || count > 100'000) return;
   sp_pairs* list = nullptr;
   require(sp_list(context, &problem, SP_SHIFTS | SP_VECTORS | SP_DISTANCES | SP_OFFSETS, &list) == SP_OK,
           "what counts lists");
   require(list->count == count, "the list has as many");
   sp_free(list);
-  return 0;
 }

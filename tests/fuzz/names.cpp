@@ -26,7 +26,7 @@ void try_decimal(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(names) {
   const std::string text(text_of(data, size));
   const auto scene = unless_refused([&] { return parse_scene(text, 1); });
   if (scene && scene->n <= 1000) unless_refused([&] { return make_scene(*scene); });
@@ -35,5 +35,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   unless_refused([&] { return precision_from_name(text); });
   unless_refused([&] { return draw_method_from_name(text); });
   try_decimal(text);
-  return 0;
 }

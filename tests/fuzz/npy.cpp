@@ -5,7 +5,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(npy) {
   const std::string file = input_file("spheres.npy", text_of(data, size));
   const SphereFileOptions own_radii = {.threads = 1}, one_radius = {.radius = 0.5f, .threads = 1};
   for (const SphereFileOptions& options : {own_radii, one_radius}) {
@@ -15,5 +15,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     describe(*input);
     to_json(*input).dump();
   }
-  return 0;
 }

@@ -5,7 +5,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(npz) {
   const std::string file = input_file("spheres.npz", text_of(data, size));
   const SphereFileOptions own_radii = {.exact = true, .threads = 1};
   const SphereFileOptions one_radius = {.radius = 0.5f, .columns = {"pos=positions"}, .exact = true, .threads = 1};
@@ -16,5 +16,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     describe(*input);
     to_json(*input).dump();
   }
-  return 0;
 }

@@ -10,7 +10,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(options) {
   std::cout.setstate(std::ios::badbit);  // help and complaints
   std::cerr.setstate(std::ios::badbit);
   std::vector<std::string> words = {"spherepair"};
@@ -19,5 +19,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   run_program(int(arguments.size()), arguments.data(), open_backend, [](const std::function<int()>&) { return 0; });
-  return 0;
 }

@@ -21,7 +21,7 @@ SceneOptions options_of(Values& values) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(scenes) {
   Values values(data, size);
   const SceneOptions options = options_of(values);
   unless_refused([&] {
@@ -30,5 +30,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require_one_set();
     return true;
   });
-  return 0;
 }

@@ -93,14 +93,13 @@ void resume(sp_simulation* simulation, Values& values) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(simulations) {
   Values values(data, size);
   sp_simulation* const simulation = opened(values);
-  if (!simulation) return 0;
+  if (!simulation) return;
   if (sp_simulation_move(simulation, values.next<uint8_t>() % 8) == SP_OK) {
     resume(simulation, values);
     for (int k = 0; k < 3; ++k) draw(simulation, values);
   }
   sp_simulation_close(simulation);
-  return 0;
 }

@@ -5,14 +5,13 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(spheres) {
   const std::string file = input_file("spheres.txt", text_of(data, size));
   const auto read = unless_refused([&] { return read_sphere_file(file, {.threads = 1}); });
-  if (!read) return 0;
+  if (!read) return;
   check_scene(read->scene);
   describe(*read);
-  if (read->scene.size() > 200) return 0;
+  if (read->scene.size() > 200) return;
   fuzzed_backend().upload(read->scene);
   require_one_set();
-  return 0;
 }

@@ -7,7 +7,7 @@
 
 using namespace spherepair;
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+FUZZ(xyz) {
   const std::string_view text = text_of(data, size);
   const std::string file = input_file(text.starts_with("ITEM") ? "spheres.dump" : "spheres.xyz", text);
   const SphereFileOptions own_radii = {.threads = 1}, one_radius = {.radius = 0.5f, .threads = 1};
@@ -21,10 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   const SphereFileOptions with_species = {.radius = 0.5f, .species = true, .threads = 1};
   const auto frames = unless_refused([&] { return read_sphere_frames(file, with_species); });
-  if (!frames) return 0;
+  if (!frames) return;
   for (const SphereFile& frame : *frames) {
     check_scene(frame.scene);
     for (const uint species : frame.species_index) std::ignore = frame.species.at(species);
   }
-  return 0;
 }
