@@ -65,7 +65,8 @@
   each(list_measure, list_state | list_system | list_given, list_state | list_system | list_place) \
   each(list_plan, list_state | list_system, list_state | list_system) \
   each(list_bin, cell | list_state | list_system | list_given | list_place, cell | list_bins) \
-  each(list_look, cell | list_state | list_system | list_given | list_place | list_bins, id | sorted | list_look) \
+  each(list_scatter, cell | list_state | list_bins, id) \
+  each(list_look, id | list_state | list_system | list_given | list_place, sorted | list_look) \
   each(list_prepare, list_state | list_system | list_given | list_place | list_bins, \
        list_state | list_system | list_place | list_bins | cell | id | sorted | list_look) \
   each(list_count, cell | sorted | id | list_state | list_system | list_given | list_place | list_look | list_excluded, \

@@ -111,6 +111,7 @@ void DeviceLists::prepare_systems() {
   launch(Kernel::list_bin, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
   if (tiles > 1) launch(Kernel::grid_sums, SCAN_BLOCK, tiles);
   launch(Kernel::grid_scan, SCAN_BLOCK, tiles);
+  launch(Kernel::list_scatter, SERVICE_BLOCK, ceil_div(sent_.state.points, SERVICE_BLOCK));
   launch(Kernel::list_look, SERVICE_BLOCK, ceil_div(context_.n, SERVICE_BLOCK));
 }
 

@@ -21,7 +21,8 @@ INDICES = {"int32": "i4", "int64": "i8"}
 
 def index_code(index_dtype: Any) -> str:
     """Gives i4 or i8 from a name, or from a type of numpy's or torch's."""
-    name = getattr(index_dtype, "__name__", None) or getattr(index_dtype, "name", None) or str(index_dtype)
+    name = index_dtype if isinstance(index_dtype, str) else (
+        getattr(index_dtype, "__name__", None) or getattr(index_dtype, "name", None) or str(index_dtype))
     code = INDICES.get(name.rpartition(".")[2])
     if code is None:
         raise ValueError(f"index_dtype is {index_dtype!r}: int32 or int64")

@@ -108,7 +108,7 @@ def _cells(cell: Any) -> View:
         return arrays.diagonal(given)
     if given.shape[-2:] != (3, 3) or len(given.shape) > 3:
         raise ValueError(f"cell has shape {given.shape}: 3 lengths, 3 x 3 rows or B x 3 x 3 rows are needed")
-    rows = arrays.converted(given, "f8")
+    rows = given.copied() or arrays.converted(given, "f8")
     count = given.shape[0] if len(given.shape) == 3 else 1
     return View(rows.address, (count, 9), (72, 8), "f8", True, rows.keep)
 
@@ -141,7 +141,7 @@ def boxes(cell: Any, pbc: Any) -> Tuple[Optional[View], Optional[View]]:
             raise ValueError("pbc is set, but there is no cell: give its rows as `cell`")
         return None, None
     cells = _cells(cell)
-    flags = _flags(True if pbc is None else pbc)
+    flags = [[1, 1, 1]] if pbc is None else _flags(pbc)
     count = max(cells.shape[0], len(flags))
     if {cells.shape[0], len(flags)} - {1, count}:
         raise ValueError(f"cell has {cells.shape[0]} boxes, pbc has {len(flags)} rows: one of them, or equally many")

@@ -98,14 +98,19 @@ class Plan:
         self._grows, cuda = capacity is None, self._search.cuda
         # A list of another problem would change the buffers that a graph uses.
         self.context: Context = Context(backend) if cuda and isinstance(backend, str) else context_of(backend)
-        self._out = self._allocate(capacity or 0, not self._grows) if not cuda or cuda.torch or cuda.cupy else None
+        makes_arrays = not cuda or cuda.torch or cuda.cupy
+        self._out = self._allocate(0 if capacity is None else capacity, not self._grows) if makes_arrays else None
 
     def allocate(self, capacity: int) -> Pairs:
         """Allocates arrays for lists of up to `capacity` pairs, to be filled by fill(x, out)."""
         return self._allocate(capacity, True)
 
     def _allocate(self, capacity: int, with_found: bool) -> Pairs:
-        if operator.index(capacity) < 0:
+        try:
+            capacity = operator.index(capacity)
+        except TypeError:
+            raise ValueError(f"capacity is {capacity!r}: a number of pairs is needed") from None
+        if capacity < 0:
             raise ValueError(f"capacity is {capacity}: it must not be negative")
         new = self._search.cuda.new if self._search.cuda else arrays.new
         codes = {"d": "f8", "D": "f8"}

@@ -99,6 +99,7 @@ class Plans(Case):
                               (r"positions\[7\]\.y is nan", lambda: plan.count(bad)),
                               ("out is for 9 points, the plan for 60", lambda: plan.fill(POINTS, larger)),
                               ("capacity is -1", lambda: plan.allocate(-1)),
+                              (r"capacity is \[\[", lambda: spherepair.Plan(POINTS, 0.9, [[1, 0, 0], [0, 1, 0], [0, 0, 1]])),
                               ("cell has 2 boxes: the plan is for 1", lambda: plan.fill(POINTS, cell=[np.eye(3)] * 2)),
                               ("batch is not sorted", lambda: spherepair.Plan(POINTS[:2], 1, batch=[1, 0]))):
             with self.subTest(message=message), self.assertRaisesRegex(ValueError, message):
