@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cli/commands.h"
-#include "bench/options/options.h"
+#include <fmt/format.h>
 
+#include "bench/cli/commands.h"
 #include "bench/image/colour_values.h"
 #include "bench/image/image_files.h"
 #include "bench/io/arguments.h"
+#include "bench/options/options.h"
 #include "bench/spheres/sphere_formats.h"
 #include "bench/studies/frames.h"
 

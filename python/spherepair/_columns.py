@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import ctypes
-import weakref
 from typing import Any, Dict, Union
 
 from . import _abi
@@ -40,8 +39,10 @@ class List:
     """Owns a list that the library made."""
 
     def __init__(self, pointer: Any):
-        self.pairs = pointer.contents
-        weakref.finalize(self, lib.sp_free, pointer).atexit = False
+        self.pairs, self._pointer, self._free = pointer.contents, pointer, lib.sp_free
+
+    def __del__(self) -> None:
+        self._free(self._pointer)
 
     def column(self, letter: str) -> View:
         """Gives a view of the list's memory. It keeps the list."""
