@@ -69,7 +69,7 @@ ListProblem asked(uint64_t n, double fraction) {
   return problem;
 }
 
-// A lattice whose points have six neighbours at a distance of 0.1, but for a part `off` of it.
+// A million points on a cubic lattice, 0.1 apart. Each is moved along each axis by up to `off` times 0.1.
 ListProblem cubic(double off, double cutoff) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> moved(-off, off);

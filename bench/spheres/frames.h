@@ -56,7 +56,7 @@ void read_sphere_lines(const FileBytes& file, uint64_t line, Columns columns, co
 void take_periodic_box(const std::string& where, const std::string& text, const std::optional<ListBox>& box,
                        const char* wanted, const SphereFileOptions& options, SphereFile& input, const Point3& low);
 
-// The box with this lower corner, if it is along the axes. If one axis is periodic, others may have no length.
+// The box with this lower corner; none if it is tilted. If one axis is periodic, others may have a length of 0.
 std::optional<WallBox> box_along_axes(const ListBox& box, const Point3& low);
 
 class Frames {

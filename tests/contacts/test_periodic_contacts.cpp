@@ -105,8 +105,8 @@ TEST_P(PeriodicContacts, NearPairsAreListedSeldom) {
   expect_near_pairs_listed_seldom(backend(), scene);
 }
 
-// A cloud spreads from the middle of its box, along x faster than along y and z: at first no sphere has an image, then
-// more and more have one.
+// A cloud spreads from the middle of its box, fastest along x. At first no sphere has an image, later more and more
+// have one.
 TEST_P(PeriodicContacts, ImagesGetRoomAsTheyBecomeMore) {
   Scene scene = gas({.side = 5, .law = ContactLaw::spring, .steps_a_contact = 12});
   const float middle = 2.625f;

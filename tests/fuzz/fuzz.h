@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shared by the fuzz targets, which are one program: FUZZ_TARGET in its environment names the target that is given
-// bytes. Bad bytes may only end in std::invalid_argument: any other exception, a crash, a sanitizer's report or a wait
-// of 10 s is a finding.
+// Shared by the fuzz targets. All are in one program; the environment variable FUZZ_TARGET says which one runs. Bad
+// bytes may only end in std::invalid_argument: any other exception, a crash, a sanitizer's report or a wait of 10 s
+// is a finding.
 #pragma once
 
 #include <cstddef>

@@ -54,8 +54,8 @@ TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
   }
 }
 
-// Among three million points 70,000 crowd together, with about 20 neighbours each. list_count has no room for their
-// rows, which are in more groups than list_find has.
+// Of three million points 70,000 crowd together. Each of these has about 20 neighbours, more than list_count keeps, and
+// their rows are in more groups than list_find has.
 TEST_P(Lists, MoreGroupsHaveLongRowsThanAreLaunched) {
   if (!is_gpu(backend())) GTEST_SKIP() << "kernels of lists take a minute in software";
   Random random(97);
