@@ -17,6 +17,7 @@
 #include "cuda/host/cuda_device.h"
 #endif
 #ifdef SPHEREPAIR_WITH_VULKAN
+#include "vulkan/spirv/compile.h"
 #include "vulkan/vulkan_device.h"
 #endif
 #ifdef SPHEREPAIR_WITH_INTEROP
@@ -33,7 +34,9 @@ namespace spherepair {
 
 std::vector<std::string> backend_names() { return {"cpu", "opengl", "cuda", "vulkan"}; }
 std::vector<std::string> gpu_backend_names() { return {"cuda", "vulkan", "opengl"}; }
-std::vector<std::string> all_backend_names() { return {"cpu", "opengl", "opengl-core", "cuda", "vulkan"}; }
+std::vector<std::string> all_backend_names() {
+  return {"cpu", "opengl", "opengl-core", "opengl-spirv", "cuda", "vulkan"};
+}
 
 std::string backend_id(const std::string& name) {
   if (name == "glsl") return "opengl";
@@ -65,10 +68,12 @@ std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const
   if (id == "vulkan") return open_vulkan_device(options);
 #endif
 #ifdef SPHEREPAIR_WITH_GLSL
-  if (id.starts_with("opengl")) return open_gl_device(options);
+  if (id.starts_with("opengl") && (options.to_spirv || id != "opengl-spirv")) return open_gl_device(options);
 #endif
   if (id == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
-  const char* packages = id == "vulkan" ? "libvulkan-dev, glslang-dev and spirv-tools" : "libepoxy-dev and libegl-dev";
+  const char* packages = id == "vulkan"         ? "libvulkan-dev, glslang-dev and spirv-tools"
+                         : id == "opengl-spirv" ? "libepoxy-dev, libegl-dev, libvulkan-dev, glslang-dev and spirv-tools"
+                                                : "libepoxy-dev and libegl-dev";
   throw BackendError(fmt::format("{}: not in this build; install {} and configure again", id, packages));
 }
 
@@ -76,7 +81,10 @@ std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const
 // they take the first GPU that it leaves to CUDA. They take their own first GPU if it leaves none or they cannot open
 // that one.
 OpenOptions with_device(const std::string& id, OpenOptions options) {
-  options.vendor_free = id == "opengl-core";
+  options.vendor_free = id == "opengl-core" || id == "opengl-spirv";
+#ifdef SPHEREPAIR_WITH_VULKAN
+  if (id == "opengl-spirv") options.to_spirv = compile_for_opengl;
+#endif
   std::string& own = device_option(options, id);
   if (!own.empty() || !options.allow_gpu) return options;
   const std::string other = api_of_choice(options);

@@ -64,6 +64,8 @@ std::string storage_in_words(const DeviceLimits& limits) {
 
 DeviceLimits device_limits(const OpenOptions& options) {
   require_features();
+  if (options.to_spirv && !epoxy_has_gl_extension("GL_ARB_gl_spirv"))
+    throw BackendError("opengl-spirv: " + gl_string(GL_RENDERER) + " lacks GL_ARB_gl_spirv; choose opengl");
   const bool vendor = !options.vendor_free;
   GLint64 binding = 0;
   const uint64_t texels = uint64_t(gl_integer(GL_MAX_TEXTURE_BUFFER_SIZE));
@@ -71,7 +73,8 @@ DeviceLimits device_limits(const OpenOptions& options) {
   return {.largest_binding = uint64_t(binding),
           .largest_texture = std::min(texels, options.texels),
           .features = {.atomics_64 = vendor && epoxy_has_gl_extension("GL_NV_shader_atomic_int64"),
-                       .subgroups = vendor && options.subgroups && has_subgroups()},
+                       .subgroups = vendor && options.subgroups && has_subgroups(),
+                       .to_spirv = options.to_spirv},
           .sparse = epoxy_has_gl_extension("GL_ARB_sparse_buffer"),
           .large_pages = vendor && options.large_pages,
           .vendor_free = options.vendor_free};
@@ -111,7 +114,7 @@ std::string texture_too_long(uint64_t texels, const DeviceLimits& limits) {
 
 BackendInfo describe_device(bool software, const DeviceLimits& limits) {
   BackendInfo info;
-  info.name = limits.vendor_free ? "opengl-core" : "opengl";
+  info.name = limits.features.to_spirv ? "opengl-spirv" : limits.vendor_free ? "opengl-core" : "opengl";
   info.language = "GLSL";
   info.device = gl_string(GL_RENDERER);
   info.software = software;

@@ -39,14 +39,21 @@ std::string program_log(GLuint program) {
 struct Stage {
   GLenum kind;
   std::string source;
+  std::vector<uint32_t> spirv = {};  // in place of the source
 };
 
 // Compiles and attaches the shader. Returns its log if the driver rejects it.
 std::string compile(GLuint program, const Stage& stage) {
   const char* text = stage.source.c_str();
   const GLuint shader = glCreateShader(stage.kind);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
+  if (stage.spirv.empty()) {
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+  } else {
+    glShaderBinary(1, &shader, GL_SHADER_BINARY_FORMAT_SPIR_V_ARB, stage.spirv.data(),
+                   GLsizei(stage.spirv.size() * sizeof(uint32_t)));
+    glSpecializeShaderARB(shader, "main", 0, nullptr, nullptr);
+  }
   GLint done = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
   const std::string log = done ? "" : shader_log(shader);
@@ -71,20 +78,36 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
   throw BackendError(fmt::format("opengl: the driver rejected {}:\n{}", what, log));
 }
 
+// Whether the program uses the uniform at this location; names are optional in SPIR-V.
+bool uses_location(GLuint program, GLint location) {
+  constexpr GLenum property = GL_LOCATION;
+  GLint uniforms = 0, found = -1;
+  glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &uniforms);
+  for (GLint k = 0; k < uniforms && found != location; ++k)
+    glGetProgramResourceiv(program, GL_UNIFORM, GLuint(k), 1, &property, 1, nullptr, &found);
+  return found == location;
+}
+
 }  // namespace
 
-GLuint compute_program(const std::string& source, const std::string& what) {
-  return linked({{GL_COMPUTE_SHADER, source}}, what);
+GLuint compute_program(const std::string& source, const std::string& what, decltype(OpenOptions::to_spirv) to_spirv) {
+  Stage stage{GL_COMPUTE_SHADER, source};
+  if (to_spirv) stage.spirv = to_spirv(source, what);
+  return linked({stage}, what);
 }
 
 Program::Program(const std::string& kernel, unsigned block, const Variant& variant, Features features)
     : id_(compute_program(source_of(kernel, block, variant, features),
-                          fmt::format("{}.comp for groups of {}", kernel, block))) {}
+                          fmt::format("{}.comp for groups of {}", kernel, block), features.to_spirv)),
+      takes_view_(uses_location(id_, VIEW_LOCATION)),
+      takes_steps_(uses_location(id_, STEPS_LOCATION)) {}
 
 Program::Program(const std::string& stem)
     : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
-                 stem + ".vert with " + stem + ".frag")) {}
+                 stem + ".vert with " + stem + ".frag")),
+      takes_view_(uses_location(id_, VIEW_LOCATION)),
+      takes_steps_(false) {}
 
 void Program::set_view(const View& view) const {
   static_assert(sizeof(View) == VIEW_FOURS * sizeof(uvec4));

@@ -14,10 +14,11 @@
 
 namespace spherepair {
 
-// Extensions that shaders use if the driver has them.
+// Extensions that shaders use if the driver has them, and how their text comes to the driver.
 struct Features {
   bool atomics_64 = false;  // GL_NV_shader_atomic_int64
   bool subgroups = false;   // GL_KHR_shader_subgroup_arithmetic and _shuffle, subgroups of 32 or more
+  decltype(OpenOptions::to_spirv) to_spirv = nullptr;
 };
 
 // An OpenGL program. For a kernel it compiles the embedded shader of that name, after definitions of the group size,
@@ -37,8 +38,7 @@ class Program {
 
  private:
   GLuint id_;
-  bool takes_view_ = glGetUniformLocation(id_, "view_words[0]") >= 0;
-  bool takes_steps_ = glGetUniformLocation(id_, "steps_done") >= 0;
+  bool takes_view_, takes_steps_;
   mutable View view_{};  // its last value
 };
 
@@ -58,7 +58,8 @@ class Programs {
 };
 
 // A program of one compute shader; `what` names it where the driver rejects it.
-GLuint compute_program(const std::string& source, const std::string& what);
+GLuint compute_program(const std::string& source, const std::string& what,
+                       decltype(OpenOptions::to_spirv) to_spirv = nullptr);
 
 // The driver's time to compile each kernel, for groups of 128 and the first variant.
 std::vector<StageTime> compile_times(Features features);

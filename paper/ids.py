@@ -2,7 +2,7 @@
 """The ids of backends: what records of before called them, and where the sources of each are."""
 import re
 
-KERNELS = {"opengl": "glsl", "opengl-core": "glsl", "vulkan": "glsl", "cuda": "cuda"}  # in the names of digests
+KERNELS = {"opengl": "glsl", "opengl-core": "glsl", "opengl-spirv": "glsl", "vulkan": "glsl", "cuda": "cuda"}  # in the names of digests
 HOSTS = {**KERNELS, "vulkan": "vulkan", "cpu": "cpu"}
 # Where a line or a text of JSON begins: "glsl", "glsl-core collide_tiled 64", glsl: energy.
 OLD = re.compile(r'(^|")glsl(?=(?:-core)?(?:[" :]|$))', re.MULTILINE)

@@ -45,10 +45,18 @@ def sweep(name, minutes, backends, words, **more):
     return Part(name, minutes, tuple(backends.split(",")), words, {"sweep": f"{name}/{{process}}"}, **more)
 
 
+UNCACHED = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
+
+
 def compiling(backends):
-    uncached = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
-    return Part("compile", 1, backends, "devices --compile --json {out}/compile.json", {"compile.json": "compile.json"},
-                environment=uncached)
+    return Part("compile", 1, backends, "devices --compile --json {out}/compile.json", {"compile.json": "compile.json"}, environment=UNCACHED)
+
+
+def first_use(backend):
+    """In a process of its own, without the driver's cache of kernels."""
+    name = f"first_use_{backend}"
+    return Part(name, 1, (backend,), f"devices --first-use --backends {backend} --json {{out}}/{name}.json", {f"{name}.json": f"{name}.json"},
+                environment=UNCACHED, alone=True)
 
 
 def scripted(name, minutes, backends, file, *tools):
@@ -106,6 +114,9 @@ GPU = tuple(map(in_hardware, (
           memory=120 * GIB),
     sweep("sweep_tensor", 1, "cuda", "--methods collide_triangle,collide_tensor --n 4096,16384,65536,262144,1048576 "
           "--packing-fractions 0.3 --orders cold --rounds 11"),
+    sweep("sweep_spirv", 1, "opengl-spirv,opengl-core,opengl", "--methods collide_triangle,collide_grid --n 65536 --packing-fractions 0.3 "
+          "--orders cold --rounds 7", alone=True),
+    *(first_use(backend) for backend in ("opengl", "vulkan", "cuda")),
     sweep("sweep_cpu", 2, "cpu", f"--n {DECADES} --rounds 11", alone=True),
     study("crossover", 7, "opengl,vulkan,cuda", "crossover", "crossover.json", processes=SEVERAL, alone=True),
     study("crossover_cpu", 2, "cpu", "crossover", "crossover.json", alone=True),
@@ -129,7 +140,7 @@ GPU = tuple(map(in_hardware, (
           memory=16 * GIB),
     study("frames_1e9", 3, "cuda", "frames --draws compute --n 1000000000 --works frame", "frames.json",
           memory=120 * GIB),
-    study("frames_transfer", 1, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
+    study("frames_transfer", 1, "vulkan,cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 16384,1000000", "frames.json"),
     study("frames_transfer_1e8", 5, "cuda", "frames --transfer --draws compute,points --places outside --works frame "
           "--n 100000000", "frames.json", memory=32 * GIB),
@@ -148,7 +159,7 @@ GPU = tuple(map(in_hardware, (
     study("precision_core_1e8", 4, "opengl-core,opengl,cuda", "precision --motions paper --precisions float32 --n 100000000 "
           "--steps 5 --rounds 7", "precision.json", memory=16 * GIB),
     study("sets", 4, "cpu,opengl,cuda", "sets --motions paper,impact,anchored", "sets.json", alone=True),
-    compiling(("cpu", "opengl", "cuda")),
+    compiling(("cpu", "opengl", "vulkan", "cuda")),
     scripted("listings", 1, ("opengl", "cuda"), "listings", "cuobjdump", "nvdisasm"),
     scripted("counters", 2, ("cuda",), "counters.json", "ncu"),
     *catalogue(("cpu", "opengl", "cuda"), (2, 5), STRESS="full", REQUIRE_BACKENDS="cpu,opengl,cuda"),
@@ -216,7 +227,7 @@ def missing_needs(part, backends):
     opened = {backend["name"]: backend for backend in backends if backend.get("open")}
     if "cuda" in opened and opened.get("opengl", {}).get("software"):
         del opened["opengl"]  # records of a GPU are of its own OpenGL
-    absent = [name for name in part.backends if name.removesuffix("-core") not in opened]
+    absent = [name for name in part.backends if name.removesuffix("-core").removesuffix("-spirv") not in opened]
     if absent:
         return f"needs {', '.join(absent)}"
     unfound = [name for name in part.tools if not path_of(name)]

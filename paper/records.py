@@ -19,7 +19,7 @@ from paper.spread import summary
 DATA = Path(__file__).resolve().parent / "data"
 MAIN = "h100"  # the machine of the paper
 APIS = "apis"  # one on which OpenGL, Vulkan and CUDA were timed in turns
-TABLES = {"sweep_tensor": "tensor", "sweep_core": "core_grid", "precision_core": "core_motion", "ablate_extensions": "extension"}  # of their own
+TABLES = {"sweep_tensor": "tensor", "sweep_spirv": "spirv", "sweep_core": "core_grid", "precision_core": "core_motion", "ablate_extensions": "extension"}  # of their own
 
 
 class Missing(Exception):

@@ -3,7 +3,7 @@
 import re
 
 
-APIS = {"cpu": "CPU", "opengl": "OpenGL", "opengl-core": "OpenGL without extensions", "vulkan": "Vulkan", "cuda": "CUDA"}  # of backends
+APIS = {"cpu": "CPU", "opengl": "OpenGL", "opengl-core": "OpenGL without extensions", "opengl-spirv": "OpenGL from SPIR-V", "vulkan": "Vulkan", "cuda": "CUDA"}  # of backends
 
 
 def ms(value):

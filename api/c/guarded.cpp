@@ -25,7 +25,7 @@ std::unique_ptr<Backend> open(const std::string& name, const char* device, int32
   OpenOptions options;
   options.threads = threads;
   if (device && *device) {
-    if (name != "cuda" && name != "vulkan" && name != "opengl" && name != "opengl-core")
+    if (name != "cuda" && name != "vulkan" && !name.starts_with("opengl"))
       refuse(fmt::format("a device is given for the backend {}: name cuda, opengl or vulkan", name));
     (name == "cuda" ? options.cuda_device : name == "vulkan" ? options.vulkan_device : options.gl_device) = device;
   }

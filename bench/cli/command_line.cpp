@@ -25,6 +25,10 @@ void add_devices(CLI::App& app, CommandLine& line, Action& action) {
   auto options = std::make_shared<DevicesOptions>();
   add_backends_option(*command, options->backends);
   command->add_flag("--compile", options->compile, "Time the driver's compilation of each shader");
+  command->add_flag(
+      "--first-use", options->first_use,
+      "Time opening each backend and its first search of a million spheres, and measure its memory; name one "
+      "backend, since later ones find shared libraries loaded");
   command->add_option("--json", options->json_file, "Write the same as JSON to this file; -: to standard output");
   add_open_options(*command, line.open);
   command->footer("Example:\n  spherepair devices");

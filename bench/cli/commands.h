@@ -18,7 +18,8 @@ namespace spherepair {
 
 struct DevicesOptions {
   std::vector<std::string> backends;
-  bool compile = false;  // time the driver's compilation of each kernel
+  bool compile = false;    // time the driver's compilation of each kernel
+  bool first_use = false;  // time opening and the first search, and measure memory
   std::string json_file;
 };
 int devices_command(const CommandLine& line, const DevicesOptions& options);

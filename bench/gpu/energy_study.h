@@ -52,7 +52,7 @@ class EnergyStudy {
   const EnergyOptions& options_;
   std::function<void()> write_;
   Progress progress_;
-  std::map<std::string, PowerMeter> meters_;                  // by UUID
+  std::map<std::string, GpuMeter> meters_;                    // by UUID
   std::map<std::string, MeanPower> idle_;                     // the same
   std::map<std::pair<std::string, uint64_t>, Scene> scenes_;  // by work and size
 };

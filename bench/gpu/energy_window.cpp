@@ -27,7 +27,7 @@ uint64_t difference(uint64_t before, uint64_t after) {
 // Takes samples until it is stopped; an error of the meter is thrown then.
 class Sampler {
  public:
-  explicit Sampler(const PowerMeter& meter) : thread_([this, &meter] { run(meter); }) {}
+  explicit Sampler(const GpuMeter& meter) : thread_([this, &meter] { run(meter); }) {}
   ~Sampler() { join(); }
 
   std::vector<PowerSample> stop() {
@@ -37,7 +37,7 @@ class Sampler {
   }
 
  private:
-  void run(const PowerMeter& meter) {
+  void run(const GpuMeter& meter) {
     try {
       for (; !stopped_; std::this_thread::sleep_for(sample_every)) {
         const double before = now();
@@ -81,7 +81,7 @@ MeanPower mean_power(std::span<const PowerSample> samples) {
   return {counter / seconds, integrated / seconds};
 }
 
-EnergyWindow measure_window(const PowerMeter& meter, double seconds, double ahead,
+EnergyWindow measure_window(const GpuMeter& meter, double seconds, double ahead,
                             const std::function<uint64_t()>& work) {
   for (const double start = now(); now() < start + ahead;) work();
   EnergyWindow window;

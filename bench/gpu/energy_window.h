@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "bench/gpu/power_meter.h"
+#include "bench/gpu/gpu_meter.h"
 
 namespace spherepair {
 
@@ -32,7 +32,6 @@ struct EnergyWindow {
 
 // Works for `ahead` seconds, then for `seconds`, while a thread takes a sample every 10 ms. `work` takes some 50 ms and
 // returns the number of its steps; 0 steps measure an idle GPU.
-EnergyWindow measure_window(const PowerMeter& meter, double seconds, double ahead,
-                            const std::function<uint64_t()>& work);
+EnergyWindow measure_window(const GpuMeter& meter, double seconds, double ahead, const std::function<uint64_t()>& work);
 
 }  // namespace spherepair

@@ -59,8 +59,10 @@ void add_backends_option(CLI::App& command, std::vector<std::string>& backends) 
   command
       .add_option_function<std::vector<std::string>>(
           "--backends", take,
-          "Only these of cpu,opengl,cuda,vulkan and opengl-core (OpenGL without vendors' extensions and storage), and "
-          "each must open; auto: all that open but the last")
+          "Only these of cpu,opengl,cuda,vulkan, opengl-core (OpenGL without vendors' extensions and storage) and "
+          "opengl-spirv (the same with kernels compiled to SPIR-V), and each must open; auto: all that open but the "
+          "last "
+          "two")
       ->delimiter(',')
       ->default_str(kAutomaticBackend);
 }

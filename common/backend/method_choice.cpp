@@ -40,7 +40,7 @@ std::string reason_of(const BackendInfo& info, uint64_t n, const GridPlans& plan
 
 const Crossover& crossover_of(const BackendInfo& info) {
   const bool many = info.on_host && std::stoi(info.details.at("threads")) > few_threads;
-  const std::string api = info.name == "opengl-core" ? "opengl" : info.name;
+  const std::string api = info.name.starts_with("opengl") ? "opengl" : info.name;
   const std::string device = info.software ? api + " in software" : many ? "cpu of many threads" : api;
   for (const Crossover& row : crossovers)
     if (device == row.device) return row;

@@ -119,3 +119,20 @@ def tensor_times(machine):
     n = max(row.n for row in machine.need(table="tensor", method="collide_tensor"))
     return n, {(name, method): machine.one(table="tensor", backend=name, method=f"collide_{method}", n=n).median
                for name in ("vulkan", "cuda") for method in ("tensor", "triangle")}
+
+
+def spirv_times(machine):
+    """(spheres, {(backend, method): ms}) of OpenGL's kernels from their text and from SPIR-V."""
+    rows = machine.need(table="spirv")
+    return rows[0].n, {(row.backend, row.method): row.median for row in rows}
+
+
+def first_uses(machine):
+    """API -> what opening it and its first search cost, each in a process of its own without the driver's cache."""
+    return {name: next(backend["first_use"] for backend in machine.source(f"first_use_{name}.json")["backends"]) for name in APIS}
+
+
+def compile_seconds(machine):
+    """API -> seconds of the driver, and in Vulkan of glslang, for every kernel once. CUDA's are compiled when the program is built."""
+    return {backend["name"]: sum(backend["compile_ms"].values()) / 1e3 for backend in machine.source("compile.json")["backends"]
+            if backend.get("compile_ms")}

@@ -47,30 +47,35 @@ class Energy : public testing::Test {
 
 TEST_F(Energy, TheGpuIsThatOfTheUuid) {
   nvml().power(250);
-  EXPECT_EQ(PowerMeter(first_gpu, SPHEREPAIR_FAKE_NVML).watts(), 70);
-  EXPECT_EQ(PowerMeter(second_gpu, SPHEREPAIR_FAKE_NVML).watts(), 250);
-  EXPECT_GE(PowerMeter(second_gpu, SPHEREPAIR_FAKE_NVML).millijoules(), 5'000'000'000u);
-  const std::string error = error_of([] { PowerMeter("0123", SPHEREPAIR_FAKE_NVML); });
+  EXPECT_EQ(GpuMeter(first_gpu, SPHEREPAIR_FAKE_NVML).watts(), 70);
+  EXPECT_EQ(GpuMeter(second_gpu, SPHEREPAIR_FAKE_NVML).watts(), 250);
+  EXPECT_GE(GpuMeter(second_gpu, SPHEREPAIR_FAKE_NVML).millijoules(), 5'000'000'000u);
+  const std::string error = error_of([] { GpuMeter("0123", SPHEREPAIR_FAKE_NVML); });
   for (const char* part : {"0123", "GPU-00112233-4455", "GPU-ffeeddcc", "--cuda-device"})
     EXPECT_NE(error.find(part), std::string::npos) << error;
 }
 
+TEST_F(Energy, MemoryIsThatOfEachGpu) {
+  const std::map<std::string, uint64_t> used = {{first_gpu, 1'000}, {second_gpu, 2'000}};
+  EXPECT_EQ(used_gpu_memory(SPHEREPAIR_FAKE_NVML), used);
+}
+
 TEST_F(Energy, PowerThatIsNotInstantIsToldAsSuch) {
-  EXPECT_TRUE(PowerMeter(second_gpu, SPHEREPAIR_FAKE_NVML).instant());
+  EXPECT_TRUE(GpuMeter(second_gpu, SPHEREPAIR_FAKE_NVML).instant());
   nvml().tells(false, true);
   nvml().power(320);
-  const PowerMeter meter(second_gpu, SPHEREPAIR_FAKE_NVML);
+  const GpuMeter meter(second_gpu, SPHEREPAIR_FAKE_NVML);
   EXPECT_FALSE(meter.instant());
   EXPECT_EQ(meter.watts(), 320);
 }
 
 TEST_F(Energy, WhatIsMissingIsNamed) {
-  EXPECT_NE(error_of([] { PowerMeter(second_gpu, "libno-such.so.1"); }).find("install the GPU's driver"),
+  EXPECT_NE(error_of([] { GpuMeter(second_gpu, "libno-such.so.1"); }).find("install the GPU's driver"),
             std::string::npos);
-  EXPECT_NE(error_of([] { PowerMeter(second_gpu, SPHEREPAIR_NO_UNNAMED_FILES); }).find("this NVML has no nvmlInit_v2"),
+  EXPECT_NE(error_of([] { GpuMeter(second_gpu, SPHEREPAIR_NO_UNNAMED_FILES); }).find("this NVML has no nvmlInit_v2"),
             std::string::npos);
   nvml().tells(true, false);
-  EXPECT_NE(error_of([] { PowerMeter(second_gpu, SPHEREPAIR_FAKE_NVML); }).find("energy counter"), std::string::npos);
+  EXPECT_NE(error_of([] { GpuMeter(second_gpu, SPHEREPAIR_FAKE_NVML); }).find("energy counter"), std::string::npos);
 }
 
 // At 200 W, then 400 W from the 50th of 100 samples on; the counter moves with every tenth sample.

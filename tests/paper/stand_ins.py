@@ -20,7 +20,7 @@ import json, os, pathlib, sys, time
 here = pathlib.Path(__file__).parent
 said = json.loads((here / "said.json").read_text())
 words = sys.argv[1:]
-if words[0] == "devices" and "--compile" not in words:
+if words[0] == "devices" and not {{"--compile", "--first-use"}} & set(words):
     pathlib.Path(words[words.index("--json") + 1]).write_text(json.dumps(said["devices"]))
     sys.exit(0)
 with (here / "calls.txt").open("a") as calls:

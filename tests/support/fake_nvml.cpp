@@ -69,6 +69,10 @@ int nvmlDeviceGetPowerUsage(void* device, unsigned* power) {
   const std::lock_guard guard(access);
   return *power = second(device) ? milliwatts : 70'000, 0;
 }
+int nvmlDeviceGetMemoryInfo(void* device, unsigned long long* memory) {
+  memory[0] = 100'000, memory[2] = second(device) ? 2'000 : 1'000, memory[1] = memory[0] - memory[2];
+  return 0;
+}
 int nvmlDeviceGetFieldValues(void* device, int count, void* field_values) {
   const std::lock_guard guard(access);
   auto* values = static_cast<FieldValue*>(field_values);

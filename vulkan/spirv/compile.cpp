@@ -12,15 +12,11 @@ namespace spherepair {
 namespace {
 
 constexpr int glsl_version = 450;
-constexpr EShMessages messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
 
-void set_target(glslang::TShader& shader) {
+void set_vulkan(glslang::TShader& shader) {
   shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-}
-
-void set_bindings(glslang::TShader& shader) {
   shader.setShiftBinding(glslang::EResUbo, params_binding - SLOT_PARAMS);
   shader.setShiftBinding(glslang::EResTexture, first_texture_binding);
   shader.setEnvInputVulkanRulesRelaxed();  // gathers loose uniforms
@@ -29,27 +25,47 @@ void set_bindings(glslang::TShader& shader) {
   shader.setGlobalUniformBinding(loose_binding - params_binding);  // before the shift
 }
 
-}  // namespace
+void set_opengl(glslang::TShader& shader) {
+  shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientOpenGL, 100);
+  shader.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+}
 
-SpirvModule compile_to_spirv(const std::string& text, const std::string& what) {
-  [[maybe_unused]] static const bool ready = glslang::InitializeProcess();
-  glslang::TShader shader(EShLangCompute);
+std::vector<uint32_t> compiled(glslang::TShader& shader, const std::string& text, EShMessages rules,
+                               const std::string& what) {
   const char* source = text.c_str();
+  const auto messages = EShMessages(EShMsgSpvRules | rules);
   shader.setStrings(&source, 1);
-  set_target(shader);
-  set_bindings(shader);
   const bool parsed = shader.parse(GetDefaultResources(), glsl_version, false, messages);
   glslang::TProgram program;
   program.addShader(&shader);
   if (!parsed || !program.link(messages) || !program.mapIO())
-    throw BackendError(
-        fmt::format("vulkan: glslang rejected {}; use the version of glslang that this project names:\n{}{}", what,
-                    shader.getInfoLog(), program.getInfoLog()));
+    throw BackendError(fmt::format("{}: glslang rejected {}; use the version of glslang that this project names:\n{}{}",
+                                   rules == EShMsgVulkanRules ? "vulkan" : "opengl-spirv", what, shader.getInfoLog(),
+                                   program.getInfoLog()));
   std::vector<uint32_t> words;
   glslang::SpvOptions options;
   options.disableOptimizer = true;  // drivers optimise
   glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
-  return SpirvModule(std::move(words));
+  return words;
+}
+
+void start_glslang() { [[maybe_unused]] static const bool ready = glslang::InitializeProcess(); }
+
+}  // namespace
+
+SpirvModule compile_to_spirv(const std::string& text, const std::string& what) {
+  start_glslang();
+  glslang::TShader shader(EShLangCompute);
+  set_vulkan(shader);
+  return SpirvModule(compiled(shader, text, EShMsgVulkanRules, what));
+}
+
+std::vector<uint32_t> compile_for_opengl(const std::string& text, const std::string& what) {
+  start_glslang();
+  glslang::TShader shader(EShLangCompute);
+  set_opengl(shader);
+  return compiled(shader, text, EShMsgDefault, what);
 }
 
 }  // namespace spherepair

@@ -19,4 +19,7 @@ constexpr uint first_texture_binding = loose_binding + 1;
 // Compiles a compute shader for Vulkan 1.1. Throws BackendError with glslang's messages; `what` names the kernel.
 SpirvModule compile_to_spirv(const std::string& text, const std::string& what);
 
+// The same for OpenGL 4.5, as words, with OpenGL's own bindings: see OpenOptions::to_spirv.
+std::vector<uint32_t> compile_for_opengl(const std::string& text, const std::string& what);
+
 }  // namespace spherepair

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "bench/gpu/power_meter.h"
+#include "bench/gpu/gpu_meter.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "common/backend/backend.h"
 
@@ -45,13 +46,13 @@ std::string digits_of(const std::string& uuid) {
 
 }  // namespace
 
-struct PowerMeter::Library {
-  explicit Library(const std::string& name) : handle(dlopen(name.c_str(), RTLD_NOW)) {
+struct Nvml {
+  explicit Nvml(const std::string& name) : handle(dlopen(name.c_str(), RTLD_NOW)) {
     if (!handle)
-      throw BackendError(
-          fmt::format("NVML, which tells the energy of an NVIDIA GPU, cannot be loaded ({}): install the "
-                      "GPU's driver, or run on a machine that has one",
-                      dlerror()));
+      throw BackendError(fmt::format(
+          "NVML, which tells the energy and the memory of an NVIDIA GPU, cannot be loaded ({}): install the "
+          "GPU's driver, or run on a machine that has one",
+          dlerror()));
     load(init, "nvmlInit_v2");
     load(shutdown, "nvmlShutdown");
     load(error_string, "nvmlErrorString");
@@ -60,10 +61,11 @@ struct PowerMeter::Library {
     load(uuid_of, "nvmlDeviceGetUUID");
     load(total_energy, "nvmlDeviceGetTotalEnergyConsumption");
     load(power_usage, "nvmlDeviceGetPowerUsage");
+    load(memory_info, "nvmlDeviceGetMemoryInfo");
     load(field_values, "nvmlDeviceGetFieldValues");
     check(init(), "starting");
   }
-  ~Library() { shutdown(), dlclose(handle); }
+  ~Nvml() { shutdown(), dlclose(handle); }
 
   template <typename Function>
   void load(Function*& function, const char* name) {
@@ -75,6 +77,27 @@ struct PowerMeter::Library {
     if (result != success) throw BackendError(fmt::format("NVML: {} failed: {}", what, error_string(result)));
   }
 
+  struct Device {
+    void* handle;
+    std::string uuid;  // as NVML writes it
+  };
+  std::vector<Device> devices() const {
+    unsigned count = 0;
+    check(count_devices(&count), "counting GPUs");
+    std::vector<Device> found(count);
+    for (unsigned k = 0; k < count; ++k) {
+      char uuid[96] = {};
+      check(device_by_index(k, &found[k].handle), "opening a GPU");
+      check(uuid_of(found[k].handle, uuid, sizeof(uuid)), "reading a UUID");
+      found[k].uuid = uuid;
+    }
+    return found;
+  }
+
+  struct Memory {
+    unsigned long long total, free, used;  // bytes
+  };
+
   void* handle;
   int (*init)() = nullptr;
   int (*shutdown)() = nullptr;
@@ -84,21 +107,15 @@ struct PowerMeter::Library {
   int (*uuid_of)(void*, char*, unsigned) = nullptr;
   int (*total_energy)(void*, unsigned long long*) = nullptr;
   int (*power_usage)(void*, unsigned*) = nullptr;
+  int (*memory_info)(void*, Memory*) = nullptr;
   int (*field_values)(void*, int, void*) = nullptr;  // of FieldValues
 };
 
-PowerMeter::PowerMeter(const std::string& uuid, const std::string& library)
-    : library_(std::make_unique<Library>(library)) {
-  unsigned count = 0;
+GpuMeter::GpuMeter(const std::string& uuid, const std::string& library) : library_(std::make_unique<Nvml>(library)) {
   std::string others;
-  library_->check(library_->count_devices(&count), "counting GPUs");
-  for (unsigned k = 0; k < count && !device_; ++k) {
-    void* device = nullptr;
-    char found[96] = {};
-    library_->check(library_->device_by_index(k, &device), "opening a GPU");
-    library_->check(library_->uuid_of(device, found, sizeof(found)), "reading a UUID");
-    if (digits_of(found) == digits_of(uuid)) device_ = device;
-    others += (k ? ", " : "") + std::string(found);
+  for (const Nvml::Device& found : library_->devices()) {
+    if (digits_of(found.uuid) == digits_of(uuid)) device_ = found.handle;
+    others += (others.empty() ? "" : ", ") + found.uuid;
   }
   if (!device_)
     throw BackendError(
@@ -110,15 +127,15 @@ PowerMeter::PowerMeter(const std::string& uuid, const std::string& library)
   millijoules(), watts();  // throw if the GPU does not offer them
 }
 
-PowerMeter::~PowerMeter() = default;
+GpuMeter::~GpuMeter() = default;
 
-uint64_t PowerMeter::millijoules() const {
+uint64_t GpuMeter::millijoules() const {
   unsigned long long energy = 0;
   library_->check(library_->total_energy(device_, &energy), "reading the energy counter, which GPUs since Volta have,");
   return energy;
 }
 
-double PowerMeter::watts() const {
+double GpuMeter::watts() const {
   FieldValue value = power_field();
   if (!instant_) {
     unsigned mean = 0;
@@ -130,6 +147,17 @@ double PowerMeter::watts() const {
   return 1e-3 * (value.type == value_is_uint ? value.value.as_uint : double(value.value.as_ulonglong));
 }
 
-bool PowerMeter::instant() const { return instant_; }
+bool GpuMeter::instant() const { return instant_; }
+
+std::map<std::string, uint64_t> used_gpu_memory(const std::string& library) {
+  const Nvml nvml(library);
+  std::map<std::string, uint64_t> used;
+  for (const Nvml::Device& device : nvml.devices()) {
+    Nvml::Memory memory{};
+    nvml.check(nvml.memory_info(device.handle, &memory), "reading the used memory");
+    used[digits_of(device.uuid)] = memory.used;
+  }
+  return used;
+}
 
 }  // namespace spherepair
