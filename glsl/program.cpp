@@ -78,14 +78,18 @@ GLuint linked(const std::vector<Stage>& stages, const std::string& what) {
   throw BackendError(fmt::format("opengl: the driver rejected {}:\n{}", what, log));
 }
 
-// Whether the program uses the uniform at this location; names are optional in SPIR-V.
-bool uses_location(GLuint program, GLint location) {
-  constexpr GLenum property = GL_LOCATION;
-  GLint uniforms = 0, found = -1;
+// Whether the program has a uniform of this type at this location. Names are optional in SPIR-V, and the driver gives
+// samplers the locations that are left.
+bool takes(GLuint program, GLint location, GLenum type) {
+  constexpr GLenum properties[] = {GL_LOCATION, GL_TYPE};
+  GLint uniforms = 0;
   glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &uniforms);
-  for (GLint k = 0; k < uniforms && found != location; ++k)
-    glGetProgramResourceiv(program, GL_UNIFORM, GLuint(k), 1, &property, 1, nullptr, &found);
-  return found == location;
+  for (GLint k = 0; k < uniforms; ++k) {
+    GLint found[2] = {};
+    glGetProgramResourceiv(program, GL_UNIFORM, GLuint(k), 2, properties, 2, nullptr, found);
+    if (found[0] == location && GLenum(found[1]) == type) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -99,14 +103,14 @@ GLuint compute_program(const std::string& source, const std::string& what, declt
 Program::Program(const std::string& kernel, unsigned block, const Variant& variant, Features features)
     : id_(compute_program(source_of(kernel, block, variant, features),
                           fmt::format("{}.comp for groups of {}", kernel, block), features.to_spirv)),
-      takes_view_(uses_location(id_, VIEW_LOCATION)),
-      takes_steps_(uses_location(id_, STEPS_LOCATION)) {}
+      takes_view_(takes(id_, VIEW_LOCATION, GL_UNSIGNED_INT_VEC4)),
+      takes_steps_(takes(id_, STEPS_LOCATION, GL_UNSIGNED_INT)) {}
 
 Program::Program(const std::string& stem)
     : id_(linked({{GL_VERTEX_SHADER, embedded_shaders().at(stem + ".vert")},
                   {GL_FRAGMENT_SHADER, embedded_shaders().at(stem + ".frag")}},
                  stem + ".vert with " + stem + ".frag")),
-      takes_view_(uses_location(id_, VIEW_LOCATION)),
+      takes_view_(takes(id_, VIEW_LOCATION, GL_UNSIGNED_INT_VEC4)),
       takes_steps_(false) {}
 
 void Program::set_view(const View& view) const {

@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, std::string>> lines_of(const FirstUse& use) {
   const auto ms = [](double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); };
   return {{"opening takes", ms(use.open_s)},
           {"first search takes", fmt::format("{}, of {} spheres by the grid", ms(use.first_search_s), use.n)},
-          {"next search takes", ms(use.next_search_s)},
+          {"later searches take", ms(use.later_search_s)},
           {"host memory", megabytes(use.opened_host, use.host)},
           {"GPU memory", use.gpu ? megabytes(*use.opened_gpu, *use.gpu) : "unknown: no NVML, or no GPU"}};
 }

@@ -9,10 +9,10 @@
 namespace spherepair {
 
 struct FirstUse {
-  uint64_t n = 0;                                            // spheres of the search
-  double open_s = 0, first_search_s = 0, next_search_s = 0;  // seconds; a search is waited for
-  int64_t opened_host = 0, host = 0;                         // bytes in memory of this process, open and with the scene
-  std::optional<int64_t> opened_gpu = {}, gpu = {};          // the same on the GPU; none: NVML does not tell
+  uint64_t n = 0;                                             // spheres of the search
+  double open_s = 0, first_search_s = 0, later_search_s = 0;  // seconds; a search is waited for
+  int64_t opened_host = 0, host = 0;                 // bytes in memory of this process, open and with the scene
+  std::optional<int64_t> opened_gpu = {}, gpu = {};  // the same on the GPU; none: NVML does not tell
 };
 
 // Opens a backend and searches `n` spheres by the grid. Bytes are the growth since before, so other programs must leave
