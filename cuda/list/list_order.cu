@@ -19,6 +19,7 @@ struct RowKeys {
   ivec4 place;             // of the point or query
   uint first_point, bits;  // of the system; of an image's number
   Images images;
+  bool wrapped;  // whether any point or query of the system lies outside its box
 };
 __device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i) {
   RowKeys row;
@@ -27,6 +28,8 @@ __device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i) {
   row.first_point = buf.list_system[s].first_point;
   row.bits = buf.list_system[s].key_bits;
   row.images = images_of(buf, s);
+  row.wrapped = (buf.list_system[s].extreme[LIST_CELLS] | buf.list_system[s].extreme[LIST_CELLS + 1] |
+                 buf.list_system[s].extreme[LIST_CELLS + 2]) != 0u;
   return row;
 }
 
@@ -103,6 +106,7 @@ __device__ inline void write_rows(const KernelBuffers& buf, uint i, uint rows, u
     RowKeys row_keys = keys_of_row(buf, i + row);
     uint64_t begin = uint64_t(buf.list_begin[i + row]) + written;
     uint length = lengths[row];
+    bool gathers = row_keys.wrapped && (flags & LIST_WANTS_SHIFTS) != 0u;
     for (uint n = threadIdx.x % lanes; n < length; n += LIST_WRITES * lanes) {
       uint key[LIST_WRITES];
       ivec4 other[LIST_WRITES];
@@ -110,8 +114,8 @@ __device__ inline void write_rows(const KernelBuffers& buf, uint i, uint rows, u
       for (uint q = 0u; q < LIST_WRITES; ++q) {
         uint own = min(n + q * lanes, length - 1u);
         key[q] = keys[row * (LIST_SLOT << bits) + own + own / LIST_KEYS_EACH];
-        if ((flags & LIST_WANTS_SHIFTS) != 0u)
-          other[q] = buf.list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
+        other[q] = row_keys.place;  // without a load if all places are equal
+        if (gathers) other[q] = buf.list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
       }
 #pragma unroll  // CUDA only: as above
       for (uint q = 0u; q < LIST_WRITES; ++q)

@@ -33,6 +33,7 @@ struct RowKeys {
   ivec4 place;             // of the point or query
   uint first_point, bits;  // of the system; of an image's number
   Images images;
+  bool wrapped;  // whether any point or query of the system lies outside its box
 };
 RowKeys keys_of_row(uint i) {
   RowKeys row;
@@ -41,6 +42,8 @@ RowKeys keys_of_row(uint i) {
   row.first_point = list_system[s].first_point;
   row.bits = list_system[s].key_bits;
   row.images = images_of(s);
+  row.wrapped = (list_system[s].extreme[LIST_CELLS] | list_system[s].extreme[LIST_CELLS + 1] |
+                 list_system[s].extreme[LIST_CELLS + 2]) != 0u;
   return row;
 }
 
@@ -110,13 +113,15 @@ void write_rows(uint i, uint rows, uint bits, uint64_t written) {
     RowKeys row_keys = keys_of_row(i + row);
     uint64_t begin = uint64_t(list_begin[i + row]) + written;
     uint length = lengths[row];
+    bool gathers = row_keys.wrapped && (flags & LIST_WANTS_SHIFTS) != 0u;
     for (uint n = gl_LocalInvocationID.x % lanes; n < length; n += LIST_WRITES * lanes) {
       uint key[LIST_WRITES];
       ivec4 other[LIST_WRITES];
       for (uint q = 0u; q < LIST_WRITES; ++q) {
         uint own = min(n + q * lanes, length - 1u);
         key[q] = keys[row * (LIST_SLOT << bits) + own + own / LIST_KEYS_EACH];
-        if ((flags & LIST_WANTS_SHIFTS) != 0u) other[q] = list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
+        other[q] = row_keys.place;  // without a load if all places are equal
+        if (gathers) other[q] = list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
       }
       for (uint q = 0u; q < LIST_WRITES; ++q)
         if (n + q * lanes < length)

@@ -58,6 +58,7 @@ LISTS = [
     mutant("bounds of extremes are not rounded outwards", "common/shared/list.h", "number_of(ordered + 1u)", "number_of(ordered)", "ListExact"),
     mutant("kernels' half lists have both images of a point", "shaders/list/list_row.glsl", "first > 0 || !has_flag(LIST_HALF)", "true", "Lists"),
     mutant("kernels take wrapped shifts", "shaders/list/list_order.comp", "image.x + row.place.x - other.x", "image.x", "Lists"),
+    mutant("kernels take all points to lie in their boxes", "shaders/list/list_order.comp", "bool gathers = row_keys.wrapped && ", "bool gathers = false && ", "Lists"),
     mutant("rows longer than shared memory lose pairs", "shaders/list/list_order.comp", "if (count > LIST_MOST_KEYS) {", "if (false) {", "Lists"),
     mutant("kernels do not look into images", "shaders/list/list_place.glsl", "if ((list_system[s].periodic >> k & 1u) == 0u) {", "if (true) {", "Lists"),
     mutant("the last cell of a small system has no end", "shaders/list/list_prepare.comp", "if (lane == 0u) cell[first_cell + cells] = first_point + points;", "", "Lists"),
