@@ -8,7 +8,9 @@
 
 namespace spherepair {
 
-__shared__ uint found[LIST_ROWS];  // pairs of each row
+__shared__ uint found[LIST_ROWS];            // pairs of each row
+__shared__ uint word_bits[LIST_BLOCK];       // of each thread, for write_words: the staged points that are listed, ...
+__shared__ uint64_t word_first[LIST_BLOCK];  // ... and where the first of their keys goes
 
 // Room for the keys of a row.
 struct KeyRange {
@@ -107,13 +109,20 @@ __device__ inline uvec2 listed_points(const KernelBuffers& buf, Region region, u
   return uvec2{listed, undecided};
 }
 
-// Adds pairs to a row, and writes their keys as far as there is room. Returns the bits that are undecided.
+// Adds pairs to a row. Writes their keys as far as there is room, or leaves them to write_words. Returns the bits that
+// are undecided.
 __device__ inline uint add_pairs(const KernelBuffers& buf, Region region, uint i, Tested tested, uint own, KeyRange to,
-                                 bool exact) {
+                                 bool together, bool exact) {
   uvec2 points = listed_points(buf, region, i, tested, own, exact);
   uint listed = points.x;
   if (listed == 0u) return points.y;
   uint n = atomicAdd(&found[lane_of_row(buf)], count_bits(listed));
+  if (together) {
+    while (listed != 0u && n + count_bits(listed) > to.count) listed &= listed - 1u;
+    word_bits[threadIdx.x] = listed;
+    word_first[threadIdx.x] = to.first + uint64_t(n);
+    return points.y;
+  }
   for (; listed != 0u && n < to.count; ++n) {
     buf.list_keys[column_index(to.first + uint64_t(n))] = key_of_bit(buf, region, tested, listed);
     listed &= listed - 1u;
@@ -121,9 +130,26 @@ __device__ inline uint add_pairs(const KernelBuffers& buf, Region region, uint i
   return points.y;
 }
 
-// Tests the staged points from the first on, a share for each thread of a row. Returns the bits that are undecided.
-__device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint i, vec4 place, uint first, uint end,
-                                   KeyRange to, bool exact) {
+// Writes the keys of the words of all threads. A word has up to 2^row_bits bits; as many neighbouring threads write its
+// keys side by side.
+__device__ inline void write_words(const KernelBuffers& buf, uint first, uint end, uint share) {
+  uint bits = buf.list_state[0].row_bits;
+  __syncthreads();
+  for (uint k = threadIdx.x; k < group_threads() << bits; k += group_threads()) {
+    uint word = k >> bits;
+    uint bit = k & (group_rows(buf) - 1u);
+    if ((word_bits[word] >> bit & 1u) != 0u) {
+      uint n = count_bits(word_bits[word] & ((1u << bit) - 1u));
+      uint tested = min(first + ((word >> bits) + 1u) * share, end);
+      buf.list_keys[column_index(word_first[word] + uint64_t(n))] = staged_key[tested - 1u - bit];
+    }
+  }
+}
+
+// Tests the staged points from the first on, a share for each thread of a row that joins. All threads of a group call
+// this. Returns the bits that are undecided.
+__device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint i, vec4 place, bool joins, uint first,
+                                   uint end, KeyRange to, bool exact) {
   uint bits = buf.list_state[0].row_bits;
   uint threads = group_threads() >> bits;
   uint share = (end - first + threads - 1u) / threads;
@@ -132,11 +158,17 @@ __device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint
   tested.begin = first + (threadIdx.x >> bits) * share;
   tested.end = min(tested.begin + share, end);
   tested.image = LIST_NO_RANGE;
-  if (tested.begin >= tested.end) return 0u;
-  float tolerance = buf.list_system[region.look.system].tolerance;
-  for (uint at = tested.begin; at < tested.end; ++at)
-    tested.bits = with_test(tested.bits, place, staged_point[at], tolerance);
-  return add_pairs(buf, region, i, tested, own_point[lane_of_row(buf)], to, exact);
+  bool together = buf.list_state[0].kept >= LIST_LONG;
+  if (together) word_bits[threadIdx.x] = 0u;
+  uint undecided = 0u;
+  if (joins && tested.begin < tested.end) {
+    float tolerance = buf.list_system[region.look.system].tolerance;
+    for (uint at = tested.begin; at < tested.end; ++at)
+      tested.bits = with_test(tested.bits, place, staged_point[at], tolerance);
+    undecided = add_pairs(buf, region, i, tested, own_point[lane_of_row(buf)], to, together, exact);
+  }
+  if (together) write_words(buf, first, end, share);
+  return undecided;
 }
 
 // Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
@@ -157,15 +189,14 @@ __device__ inline uint look_through(const KernelBuffers& buf, uint i, vec4 place
       __syncthreads();
       uint have = staged;
       bool tests = have >= group_threads();
-      if (tests && joins) undecided |= test_staged(buf, region, i, place, have - group_threads(), have, to, exact);
+      if (tests) undecided |= test_staged(buf, region, i, place, joins, have - group_threads(), have, to, exact);
       __syncthreads();
       if (tests && thread == 0u) staged = have - group_threads();
       if (tests && thread < group_rows(buf) && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       __syncthreads();
     }
   }
-  if (joins) undecided |= test_staged(buf, region, i, place, 0u, staged, to, exact);
-  return undecided;
+  return undecided | test_staged(buf, region, i, place, joins, 0u, staged, to, exact);
 }
 
 // Looks through the cells within a row's reach, whose ranges its threads share. Returns not 0 if pairs are undecided.
@@ -185,7 +216,8 @@ __device__ inline uint look_alone(const KernelBuffers& buf, ListLook look, vec4 
       for (uint at = tested.begin; at < tested.end; ++at)
         tested.bits = with_test(tested.bits, place, place_in_range(buf, at, range.shift), tolerance);
       if (tested.bits.y != 0u)
-        undecided |= add_pairs(buf, region, look.i, tested, range.image == region.no_image ? own : ~0u, to, exact);
+        undecided |=
+            add_pairs(buf, region, look.i, tested, range.image == region.no_image ? own : ~0u, to, false, exact);
     }
   }
   return undecided;

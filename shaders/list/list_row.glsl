@@ -7,7 +7,9 @@
 layout(std430, binding = SLOT_LIST_KEY) restrict writeonly buffer ListKeyBuffer { uint list_keys[]; };
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-shared uint found[LIST_ROWS];  // pairs of each row
+shared uint found[LIST_ROWS];            // pairs of each row
+shared uint word_bits[LIST_BLOCK];       // of each thread, for write_words: the staged points that are listed, ...
+shared uint64_t word_first[LIST_BLOCK];  // ... and where the first of their keys goes
 
 // Room for the keys of a row.
 struct KeyRange {
@@ -103,12 +105,19 @@ uvec2 listed_points(Region region, uint i, Tested tested, uint own, bool exact) 
   return uvec2(listed, undecided);
 }
 
-// Adds pairs to a row, and writes their keys as far as there is room. Returns the bits that are undecided.
-uint add_pairs(Region region, uint i, Tested tested, uint own, KeyRange to, bool exact) {
+// Adds pairs to a row. Writes their keys as far as there is room, or leaves them to write_words. Returns the bits that
+// are undecided.
+uint add_pairs(Region region, uint i, Tested tested, uint own, KeyRange to, bool together, bool exact) {
   uvec2 points = listed_points(region, i, tested, own, exact);
   uint listed = points.x;
   if (listed == 0u) return points.y;
   uint n = atomicAdd(found[lane_of_row()], count_bits(listed));
+  if (together) {
+    while (listed != 0u && n + count_bits(listed) > to.count) listed &= listed - 1u;
+    word_bits[gl_LocalInvocationID.x] = listed;
+    word_first[gl_LocalInvocationID.x] = to.first + uint64_t(n);
+    return points.y;
+  }
   for (; listed != 0u && n < to.count; ++n) {
     list_keys[column_index(to.first + uint64_t(n))] = key_of_bit(region, tested, listed);
     listed &= listed - 1u;
@@ -116,8 +125,25 @@ uint add_pairs(Region region, uint i, Tested tested, uint own, KeyRange to, bool
   return points.y;
 }
 
-// Tests the staged points from the first on, a share for each thread of a row. Returns the bits that are undecided.
-uint test_staged(Region region, uint i, vec4 place, uint first, uint end, KeyRange to, bool exact) {
+// Writes the keys of the words of all threads. A word has up to 2^row_bits bits; as many neighbouring threads write its
+// keys side by side.
+void write_words(uint first, uint end, uint share) {
+  uint bits = list_state[0].row_bits;
+  barrier();
+  for (uint k = gl_LocalInvocationID.x; k < group_threads() << bits; k += group_threads()) {
+    uint word = k >> bits;
+    uint bit = k & (group_rows() - 1u);
+    if ((word_bits[word] >> bit & 1u) != 0u) {
+      uint n = count_bits(word_bits[word] & ((1u << bit) - 1u));
+      uint tested = min(first + ((word >> bits) + 1u) * share, end);
+      list_keys[column_index(word_first[word] + uint64_t(n))] = staged_key[tested - 1u - bit];
+    }
+  }
+}
+
+// Tests the staged points from the first on, a share for each thread of a row that joins. All threads of a group call
+// this. Returns the bits that are undecided.
+uint test_staged(Region region, uint i, vec4 place, bool joins, uint first, uint end, KeyRange to, bool exact) {
   uint bits = list_state[0].row_bits;
   uint threads = group_threads() >> bits;
   uint share = (end - first + threads - 1u) / threads;
@@ -126,11 +152,17 @@ uint test_staged(Region region, uint i, vec4 place, uint first, uint end, KeyRan
   tested.begin = first + (gl_LocalInvocationID.x >> bits) * share;
   tested.end = min(tested.begin + share, end);
   tested.image = LIST_NO_RANGE;
-  if (tested.begin >= tested.end) return 0u;
-  float tolerance = list_system[region.look.system].tolerance;
-  for (uint at = tested.begin; at < tested.end; ++at)
-    tested.bits = with_test(tested.bits, place, staged_point[at], tolerance);
-  return add_pairs(region, i, tested, own_point[lane_of_row()], to, exact);
+  bool together = list_state[0].kept >= LIST_LONG;
+  if (together) word_bits[gl_LocalInvocationID.x] = 0u;
+  uint undecided = 0u;
+  if (joins && tested.begin < tested.end) {
+    float tolerance = list_system[region.look.system].tolerance;
+    for (uint at = tested.begin; at < tested.end; ++at)
+      tested.bits = with_test(tested.bits, place, staged_point[at], tolerance);
+    undecided = add_pairs(region, i, tested, own_point[lane_of_row()], to, together, exact);
+  }
+  if (together) write_words(first, end, share);
+  return undecided;
 }
 
 // Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
@@ -150,15 +182,14 @@ uint look_through(uint i, vec4 place, bool joins, uint first_row, KeyRange to, b
       barrier();
       uint have = staged;
       bool tests = have >= group_threads();
-      if (tests && joins) undecided |= test_staged(region, i, place, have - group_threads(), have, to, exact);
+      if (tests) undecided |= test_staged(region, i, place, joins, have - group_threads(), have, to, exact);
       barrier();
       if (tests && thread == 0u) staged = have - group_threads();
       if (tests && thread < group_rows() && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       barrier();
     }
   }
-  if (joins) undecided |= test_staged(region, i, place, 0u, staged, to, exact);
-  return undecided;
+  return undecided | test_staged(region, i, place, joins, 0u, staged, to, exact);
 }
 
 // Looks through the cells within a row's reach, whose ranges its threads share. Returns not 0 if pairs are undecided.
@@ -177,7 +208,7 @@ uint look_alone(ListLook look, vec4 place, uint own, KeyRange to, bool exact) {
       for (uint at = tested.begin; at < tested.end; ++at)
         tested.bits = with_test(tested.bits, place, place_in_range(at, range.shift), tolerance);
       if (tested.bits.y != 0u)
-        undecided |= add_pairs(region, look.i, tested, range.image == region.no_image ? own : ~0u, to, exact);
+        undecided |= add_pairs(region, look.i, tested, range.image == region.no_image ? own : ~0u, to, false, exact);
     }
   }
   return undecided;

@@ -54,6 +54,23 @@ TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
   }
 }
 
+// Each point has about 140 neighbours, and one of 110 twice as many. Once the mean is known, a group of 16 or 32 rows
+// writes keys together. Distances of 1.625 are ties, which float32 leaves undecided.
+TEST_P(Lists, RowsThatLookTogetherMayBeLong) {
+  Random random(98);
+  const int edge = is_gpu(backend()) ? 17 : 13;
+  ListProblem problem = of_points({}, 1.625, cube(edge));
+  problem.inclusive = true;
+  for (int i = 0; i < 8 * edge * edge * edge; ++i) {
+    const auto along = [&] { return random.between(-4, i % 110 == 0 ? 3 : 8 * edge - 5) / 8.0; };
+    problem.set.points.push_back({along(), along(), along()});
+  }
+  problem.set.offsets = {0, problem.set.size()};
+  const std::vector<ListedPair> wanted = list_by_search(backend(), problem).pairs();
+  EXPECT_GT(wanted.size() * 3 / 2, problem.set.size() * LIST_LONG);
+  EXPECT_EQ(first_difference(list(problem), wanted), "");
+}
+
 // Of three million points 70,000 crowd together. Each of these has about 20 neighbours, more than list_count keeps, and
 // their rows are in more groups than list_find has.
 TEST_P(Lists, MoreGroupsHaveLongRowsThanAreLaunched) {

@@ -73,6 +73,8 @@ LISTS = [
     mutant("a row that looks alone leaves out what float32 leaves undecided", "shaders/list/list_row.glsl", "if (look_alone(look, place, own, to, false) != 0u)", "if (look_alone(look, place, own, to, false) == ~0u)", "Lists"),
     mutant("a row that looks alone does so in each of its threads", "shaders/list/list_row.glsl", "uint number = gl_LocalInvocationID.x >> bits;", "uint number = 0u;", "Lists"),
     mutant("keys of images have no image in ranges", "shaders/list/list_region.glsl", "region.key_bits | image;", "region.key_bits;", "Lists"),
+    mutant("keys of a word go to one place", "shaders/list/list_row.glsl", "word_first[word] + uint64_t(n)", "word_first[word]", "Lists"),
+    mutant("keys that are written together overrun their room", "shaders/list/list_row.glsl", "while (listed != 0u && n + count_bits(listed) > to.count) listed", "while (false) listed", "Lists"),
     mutant("another group has the long rows", "shaders/list/list_count.comp", "= group_index();", "= 0u;", "Lists"),
     mutant("a point that float32 leaves undecided is not looked at again", "shaders/list/list_row.glsl", "if (undecided_rows != 0u) look_through(", "if (false) look_through(", "Lists"),
 ]
