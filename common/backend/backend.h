@@ -73,8 +73,8 @@ struct OpenOptions {
   // OpenGL: compiles a kernel's text to SPIR-V, `what` names it in errors: the backend opengl-spirv. Null: the driver
   // compiles the text.
   std::vector<uint32_t> (*to_spirv)(const std::string& text, const std::string& what) = nullptr;
-  uint64_t texels = ~0ull;          // OpenGL, Vulkan: upper limit for the texels of a texture buffer
-  int threads = 0;                  // of the CPU backend; 0: one per core
+  uint64_t texels = ~0ull;  // OpenGL, Vulkan: upper limit for the texels of a texture buffer
+  int threads = 0;          // of the CPU backend; 0: one per core
 };
 
 }  // namespace spherepair

@@ -17,6 +17,7 @@ struct Variant {
   bool from_tiles = false;     // grid_sort: reads the spheres from split_tiles
   bool bundles = false;        // draw_cull, draw_clusters: test bundles of clusters first
   bool by_cells = false;       // draw_bounds: spheres are in the order of dense cells, whose borders bound clusters
+  bool long_rows = false;      // list_count: groups write the keys of a row together
   uint indices = 0;            // INDEX_*, if the spheres are in cell order; CUDA takes it at run time
   bool folded = false;         // GLSL: groups are numbered along two axes, or not from 0
   bool windows = false;        // GLSL: the table is in several textures, one of which a dispatch reads

@@ -31,8 +31,8 @@ std::string kernel_text(const std::string& kernel, unsigned block, const Variant
   return text.substr(0, after_version) +
          fmt::format("#define BLOCK {}\n#define EQUAL_RADII {}\n#define LISTED {}\n#define DENSE {}\n", block,
                      variant.equal_radii, variant.listed, variant.dense) +
-         fmt::format("#define FROM_TILES {}\n#define BUNDLES {}\n#define BY_CELLS {}\n", variant.from_tiles,
-                     variant.bundles, variant.by_cells) +
+         fmt::format("#define FROM_TILES {}\n#define BUNDLES {}\n#define BY_CELLS {}\n#define LONG_ROWS {}\n",
+                     variant.from_tiles, variant.bundles, variant.by_cells, variant.long_rows) +
          fmt::format("#define INDICES {}u\n", variant.indices) +
          (variant.texture_table ? "#define TEXTURE_TABLE\n" : "") + (variant.windows ? "#define WINDOWS\n" : "") +
          (variant.folded ? "#define FOLDED\n" : "") +

@@ -9,8 +9,8 @@
 
 namespace spherepair {
 
-void DeviceLists::launch(Kernel kernel, uint block, uint64_t groups) {
-  context_.launch({.kernel = kernel, .block = block, .groups = folded(groups)});
+void DeviceLists::launch(Kernel kernel, uint block, uint64_t groups, const Variant& variant) {
+  context_.launch({.kernel = kernel, .block = block, .variant = variant, .groups = folded(groups)});
 }
 
 bool DeviceLists::is_ready(const ListProblem& problem, uint wanted, int64_t room) const {
@@ -55,6 +55,7 @@ bool DeviceLists::begin(const ListProblem& problem) {
   const bool known = told.equals(sent_);
   if (!known) {
     sent_ = std::move(told);
+    long_rows_ = false;
     keep_more(context_.buffers.memory(SLOT_LIST_KEY).bytes / sizeof(uint) * 3 / 5);  // as set_columns() made room for
   }
   if (!make_room() && known) return true;
@@ -83,6 +84,7 @@ bool DeviceLists::set_columns(uint wanted, int64_t room) {
   const uint kept = sent_.state.kept;
   const uint64_t key_bytes = context_.buffers.memory(SLOT_LIST_KEY).bytes;
   keep_more(uint64_t(room) * 3 / 2);
+  long_rows_ = uint64_t(room) >= looking() * LIST_LONG;
   bool grown = grow(column_sizes(wanted, room));
   if (sent_.state.kept != kept || context_.buffers.memory(SLOT_LIST_KEY).bytes != key_bytes)
     grown = counts_again_ = true;
@@ -120,7 +122,7 @@ void DeviceLists::count() {
   if (is_empty()) return context_.buffers.clear(SLOT_LIST_BEGIN, (looking() + 1) * sizeof(int64_t));
   sent_.is_small() ? prepare_small_systems() : prepare_systems();
   const uint64_t row_tiles = ceil_div(looking(), LIST_TILE);
-  launch(Kernel::list_count, row_block(), row_groups());
+  launch(Kernel::list_count, row_block(), row_groups(), {.long_rows = long_rows_});
   if (row_tiles > 1) launch(Kernel::list_sums, SCAN_BLOCK, row_tiles);
   launch(Kernel::list_scan, SCAN_BLOCK, row_tiles);
 }

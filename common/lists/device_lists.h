@@ -54,11 +54,12 @@ class DeviceLists {
   void prepare_systems();
   uint row_block() const { return 1u << sent_.state.row_bits == LIST_ROWS ? LIST_BLOCK / 2 : LIST_BLOCK; }
   uint64_t row_groups() const { return ceil_div(looking(), 1u << sent_.state.row_bits); }
-  void launch(Kernel kernel, uint block, uint64_t groups);
+  void launch(Kernel kernel, uint block, uint64_t groups, const Variant& variant = {});
   PairRows read_list(uint64_t pairs);
 
   DeviceContext context_;
   DeviceProblem sent_;         // by begin() and set_columns()
+  bool long_rows_ = false;     // as set_columns() was told
   bool counts_again_ = false;  // fill() does: the keys of the last count() are lost
 };
 

@@ -19,7 +19,7 @@
 #define LIST_KEPT_MOST 128u          // keys of a row that list_count keeps before the length of the list is known, ...
 #define LIST_KEPT_TOTAL 33554432u    // ... keys of all rows, above which fewer of each are kept, ...
 #define LIST_KEPT_LEAST 12u          // ... and keys of a row that are kept in any case
-#define LIST_LONG 192u               // keys of a row that are kept, from which on a group writes them together
+#define LIST_LONG 128u               // pairs of a row, on average, from which on a group writes their keys together
 #define LIST_ORDER_BLOCK 64          // group size of list_order
 #define LIST_ORDER_GROUPS 4096u      // a group sorts up to 64 rows, as few as there are groups up to this number
 #define LIST_PREPARED 2048u          // points and queries, at most, of a system that one group of list_prepare prepares

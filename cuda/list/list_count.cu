@@ -6,6 +6,7 @@ namespace spherepair {
 
 __shared__ uint is_long;  // not 0: a row of the group has more keys than are kept
 
+template <bool LONG_ROWS>
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuffers buf) {
   uint first = group_index(p) << buf.list_state[0].row_bits;
   if (!is_right(buf) || first >= buf.list_state[0].looking) return;
@@ -17,7 +18,7 @@ __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuff
   kept.first = uint64_t(i) * uint64_t(kept.count);
   found[lane_of_row(buf)] = 0u;
   is_long = 0u;
-  find_pairs(buf, k, looks, first, kept);
+  find_pairs(buf, k, looks, LONG_ROWS, first, kept);
   if (looks && threadIdx.x < group_rows(buf)) {
     uint length = found[lane_of_row(buf)];
     buf.row_length[i] = length;
@@ -26,6 +27,8 @@ __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuff
   }
 }
 
-Entry list_count_kernel(uint, Variant) { return reinterpret_cast<Entry>(&list_count); }
+Entry list_count_kernel(uint, Variant variant) {
+  return variant.long_rows ? reinterpret_cast<Entry>(&list_count<true>) : reinterpret_cast<Entry>(&list_count<false>);
+}
 
 }  // namespace spherepair

@@ -16,7 +16,7 @@ __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffe
     row.count = buf.row_length[i];
     row.first = keys_at(buf, i, row.count);
     found[lane_of_row(buf)] = 0u;
-    find_pairs(buf, k, looks && row.count > buf.list_state[0].kept, first, row);
+    find_pairs(buf, k, looks && row.count > buf.list_state[0].kept, false, first, row);
   }
 }
 

@@ -33,19 +33,6 @@ __device__ inline RowKeys keys_of_row(const KernelBuffers& buf, uint i) {
   return row;
 }
 
-// Writes the n-th pair, whose key is sorted. other: the place of its second point.
-__device__ inline void write_pair(const KernelBuffers& buf, RowKeys row, uint i, uint64_t n, uint key, ivec4 other,
-                                  uint flags) {
-  if ((flags & LIST_WANTS_SHIFTS) != 0u) {
-    ivec4 image = image_of(row.images, key & ((1u << row.bits) - 1u));
-    buf.list_shift[3u * column_index(n)] = image.x + row.place.x - other.x;
-    buf.list_shift[3u * column_index(n) + 1u] = image.y + row.place.y - other.y;
-    buf.list_shift[3u * column_index(n) + 2u] = image.z + row.place.z - other.z;
-  }
-  if ((flags & LIST_WANTS_FIRST) != 0u) buf.list_first[column_index(n)] = i;
-  if ((flags & LIST_WANTS_SECOND) != 0u) buf.list_second[column_index(n)] = row.first_point + (key >> row.bits);
-}
-
 struct OwnKeys {
   uint of[LIST_KEYS_EACH];
 };
@@ -98,30 +85,52 @@ __device__ inline void sort_rows(OwnKeys own, uint bits) {
   __syncthreads();
 }
 
+__device__ inline uint key_at(uint row, uint bits, uint n) {
+  return keys[row * (LIST_SLOT << bits) + n + n / LIST_KEYS_EACH];
+}
+
+// Writes the shifts of a sorted row from pair `begin` on. Places of second points are read several at a time, and only
+// if the system has wrapped points.
+__device__ inline void write_shifts(const KernelBuffers& buf, uint i, uint row, uint bits, uint64_t begin, uint lanes) {
+  RowKeys row_keys = keys_of_row(buf, i);
+  uint length = lengths[row];
+  for (uint n = threadIdx.x % lanes; n < length; n += LIST_WRITES * lanes) {
+    ivec4 image[LIST_WRITES];
+    ivec4 other[LIST_WRITES];
+#pragma unroll  // CUDA only: as above
+    for (uint q = 0u; q < LIST_WRITES; ++q) {
+      uint key = key_at(row, bits, min(n + q * lanes, length - 1u));
+      image[q] = image_of(row_keys.images, key & ((1u << row_keys.bits) - 1u));
+      other[q] = row_keys.place;
+      if (row_keys.wrapped) other[q] = buf.list_place[row_keys.first_point + (key >> row_keys.bits)];
+    }
+#pragma unroll  // CUDA only: as above
+    for (uint q = 0u; q < LIST_WRITES; ++q) {
+      if (n + q * lanes >= length) continue;
+      uint64_t first = uint64_t(3u) * (begin + uint64_t(n + q * lanes));
+      buf.list_shift[column_index(first)] = image[q].x + row_keys.place.x - other[q].x;
+      buf.list_shift[column_index(first) + 1u] = image[q].y + row_keys.place.y - other[q].y;
+      buf.list_shift[column_index(first) + 2u] = image[q].z + row_keys.place.z - other[q].z;
+    }
+  }
+}
+
 // Writes the columns of sorted rows from row i on, behind the pairs of each that are written.
 __device__ inline void write_rows(const KernelBuffers& buf, uint i, uint rows, uint bits, uint64_t written) {
   uint flags = buf.list_state[0].flags;
   uint lanes = min(4u << bits, 32u);
   for (uint row = threadIdx.x / lanes; row < rows; row += LIST_ORDER_BLOCK / lanes) {
-    RowKeys row_keys = keys_of_row(buf, i + row);
     uint64_t begin = uint64_t(buf.list_begin[i + row]) + written;
+    uint s = uint(buf.list_place[element_of(buf, i + row)].w);
+    uint first_point = buf.list_system[s].first_point;
+    uint key_bits = buf.list_system[s].key_bits;
     uint length = lengths[row];
-    bool gathers = row_keys.wrapped && (flags & LIST_WANTS_SHIFTS) != 0u;
-    for (uint n = threadIdx.x % lanes; n < length; n += LIST_WRITES * lanes) {
-      uint key[LIST_WRITES];
-      ivec4 other[LIST_WRITES];
-#pragma unroll  // CUDA only: as above
-      for (uint q = 0u; q < LIST_WRITES; ++q) {
-        uint own = min(n + q * lanes, length - 1u);
-        key[q] = keys[row * (LIST_SLOT << bits) + own + own / LIST_KEYS_EACH];
-        other[q] = row_keys.place;  // without a load if all places are equal
-        if (gathers) other[q] = buf.list_place[row_keys.first_point + (key[q] >> row_keys.bits)];
-      }
-#pragma unroll  // CUDA only: as above
-      for (uint q = 0u; q < LIST_WRITES; ++q)
-        if (n + q * lanes < length)
-          write_pair(buf, row_keys, i + row, begin + uint64_t(n + q * lanes), key[q], other[q], flags);
+    for (uint n = threadIdx.x % lanes; n < length; n += lanes) {
+      uint j = first_point + (key_at(row, bits, n) >> key_bits);
+      if ((flags & LIST_WANTS_FIRST) != 0u) buf.list_first[column_index(begin) + n] = i + row;
+      if ((flags & LIST_WANTS_SECOND) != 0u) buf.list_second[column_index(begin) + n] = j;
     }
+    if ((flags & LIST_WANTS_SHIFTS) != 0u) write_shifts(buf, i + row, row, bits, begin, lanes);
   }
   __syncthreads();
 }

@@ -17,9 +17,10 @@ __shared__ uint range_length[LIST_RANGES];
 __shared__ uint range_upto[LIST_RANGES + 1u];  // ... the points of those before, ...
 __shared__ uint range_image[LIST_RANGES];      // ... the image's number, ...
 __shared__ vec4 range_shift[LIST_RANGES];      // ... and where it lies, scaled
+constexpr uint STAGED = 2u * LIST_BLOCK;       // CUDA only: the largest group's
 __shared__ uint staged;
-__shared__ vec4 staged_point[2u * LIST_BLOCK];
-__shared__ uint staged_key[2u * LIST_BLOCK];
+__shared__ vec4 staged_point[STAGED];
+__shared__ uint staged_key[STAGED];
 
 __device__ inline uint group_threads() { return blockDim.x; }  // CUDA only: GLSL compiles a kernel for each size
 __device__ inline uint group_rows(const KernelBuffers& buf) { return 1u << buf.list_state[0].row_bits; }

@@ -3,61 +3,21 @@
 // own, tests the points that the group has staged. Others, and queries, look alone.
 #pragma once
 
-#include "common/shared/list_exact.h"
 #include "cuda/list/list_region.cuh"
+#include "cuda/list/list_wanted.cuh"
 
 namespace spherepair {
 
-__shared__ uint found[LIST_ROWS];            // pairs of each row
-__shared__ uint word_bits[LIST_BLOCK];       // of each thread, for write_words: the staged points that are listed, ...
-__shared__ uint64_t word_first[LIST_BLOCK];  // ... and where the first of their keys goes
+constexpr uint WORDS = LIST_BLOCK;      // CUDA only: without long rows the compiler leaves the arrays out
+__shared__ uint found[LIST_ROWS];       // pairs of each row
+__shared__ uint word_bits[WORDS];       // of each thread, for write_words: the staged points that are listed, ...
+__shared__ uint64_t word_first[WORDS];  // ... and where the first of their keys goes
 
 // Room for the keys of a row.
 struct KeyRange {
   uint64_t first;
   uint count;
 };
-
-__device__ inline bool is_excluded(const KernelBuffers& buf, uint i, uint j) {
-  uint first = has_flag(buf, LIST_ASKS) ? i : min(i, j);
-  uint second = has_flag(buf, LIST_ASKS) ? j : max(i, j);
-  uint low = 0u;
-  uint high = buf.list_state[0].exclusions;
-  while (low < high) {
-    uint middle = (low + high) / 2u;
-    uvec2 pair = buf.list_excluded[middle];
-    if (pair.x == first && pair.y == second) return true;
-    if (pair.x < first || (pair.x == first && pair.y < second)) {
-      low = middle + 1u;
-    } else {
-      high = middle;
-    }
-  }
-  return false;
-}
-
-// Whether the list has every pair within reach except (i, i, 0).
-__device__ inline bool lists_all(const KernelBuffers& buf) {
-  return !has_flag(buf, LIST_HALF | LIST_SELF_PAIRS) && buf.list_state[0].exclusions == 0u;
-}
-
-// Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
-__device__ inline bool is_wanted(const KernelBuffers& buf, uint i, uint j, ivec4 image) {
-  if (buf.list_state[0].exclusions != 0u && is_excluded(buf, i, j)) return false;
-  if (has_flag(buf, LIST_ASKS)) return true;
-  if (i != j) return i < j || !has_flag(buf, LIST_HALF);
-  int first = image.x != 0 ? image.x : image.y != 0 ? image.y : image.z;
-  return first == 0 ? has_flag(buf, LIST_SELF_PAIRS) : first > 0 || !has_flag(buf, LIST_HALF);
-}
-
-__device__ inline bool is_within_reach(const KernelBuffers& buf, uint i, uint j, ivec4 image) {
-  uint element = element_of(buf, i);
-  ivec4 mine = buf.list_place[element];
-  ivec4 other = buf.list_place[j];
-  return list_within_reach(buf.list_given[element], buf.list_given[j], buf.list_system[mine.w].row,
-                           image.x + mine.x - other.x, image.y + mine.y - other.y, image.z + mine.z - other.z,
-                           buf.list_state[0].cutoff, buf.list_state[0].skin, has_flag(buf, LIST_INCLUSIVE));
-}
 
 // Tests a point in float32 and appends the result as the lowest bit: in x if the point is certainly within reach, in y
 // also if float32 cannot decide.
@@ -148,8 +108,8 @@ __device__ inline void write_words(const KernelBuffers& buf, uint first, uint en
 
 // Tests the staged points from the first on, a share for each thread of a row that joins. All threads of a group call
 // this. Returns the bits that are undecided.
-__device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint i, vec4 place, bool joins, uint first,
-                                   uint end, KeyRange to, bool exact) {
+__device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint i, vec4 place, bool joins,
+                                   bool together, uint first, uint end, KeyRange to, bool exact) {
   uint bits = buf.list_state[0].row_bits;
   uint threads = group_threads() >> bits;
   uint share = (end - first + threads - 1u) / threads;
@@ -158,7 +118,6 @@ __device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint
   tested.begin = first + (threadIdx.x >> bits) * share;
   tested.end = min(tested.begin + share, end);
   tested.image = LIST_NO_RANGE;
-  bool together = buf.list_state[0].kept >= LIST_LONG;
   if (together) word_bits[threadIdx.x] = 0u;
   uint undecided = 0u;
   if (joins && tested.begin < tested.end) {
@@ -172,8 +131,8 @@ __device__ inline uint test_staged(const KernelBuffers& buf, Region region, uint
 }
 
 // Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
-__device__ inline uint look_through(const KernelBuffers& buf, uint i, vec4 place, bool joins, uint first_row,
-                                    KeyRange to, bool exact) {
+__device__ inline uint look_through(const KernelBuffers& buf, uint i, vec4 place, bool joins, bool together,
+                                    uint first_row, KeyRange to, bool exact) {
   uint thread = threadIdx.x;
   float tolerance = buf.list_system[leading.system].tolerance;
   RowBox box = box_of_rows();
@@ -189,14 +148,15 @@ __device__ inline uint look_through(const KernelBuffers& buf, uint i, vec4 place
       __syncthreads();
       uint have = staged;
       bool tests = have >= group_threads();
-      if (tests) undecided |= test_staged(buf, region, i, place, joins, have - group_threads(), have, to, exact);
+      if (tests)
+        undecided |= test_staged(buf, region, i, place, joins, together, have - group_threads(), have, to, exact);
       __syncthreads();
       if (tests && thread == 0u) staged = have - group_threads();
       if (tests && thread < group_rows(buf) && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       __syncthreads();
     }
   }
-  return undecided | test_staged(buf, region, i, place, joins, 0u, staged, to, exact);
+  return undecided | test_staged(buf, region, i, place, joins, together, 0u, staged, to, exact);
 }
 
 // Looks through the cells within a row's reach, whose ranges its threads share. Returns not 0 if pairs are undecided.
@@ -224,7 +184,8 @@ __device__ inline uint look_alone(const KernelBuffers& buf, ListLook look, vec4 
 }
 
 // All threads of a group call this. Row k is one of the group's, from the first on.
-__device__ inline void find_pairs(const KernelBuffers& buf, uint k, bool looks, uint first_row, KeyRange to) {
+__device__ inline void find_pairs(const KernelBuffers& buf, uint k, bool looks, bool together, uint first_row,
+                                  KeyRange to) {
   ListLook look = buf.list_look[looks ? k : first_row];
   vec4 place = buf.sorted[(has_flag(buf, LIST_ASKS) ? buf.list_state[0].points : 0u) + (looks ? k : first_row)];
   EXACT float part = buf.list_system[look.system].reach_part + place.w;
@@ -241,9 +202,9 @@ __device__ inline void find_pairs(const KernelBuffers& buf, uint k, bool looks, 
     if (leader == LIST_ROWS) return;
     waits = waits && !joins;
     bound_rows(buf, look, place, joins);
-    if (look_through(buf, look.i, place, joins, first_row, to, false) != 0u) undecided_rows = 1u;
+    if (look_through(buf, look.i, place, joins, together, first_row, to, false) != 0u) undecided_rows = 1u;
     __syncthreads();
-    if (undecided_rows != 0u) look_through(buf, look.i, place, joins, first_row, to, true);
+    if (undecided_rows != 0u) look_through(buf, look.i, place, joins, together, first_row, to, true);
   }
 }
 

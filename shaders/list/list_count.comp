@@ -20,7 +20,7 @@ void main() {
   kept.first = uint64_t(i) * uint64_t(kept.count);
   found[lane_of_row()] = 0u;
   is_long = 0u;
-  find_pairs(k, looks, first, kept);
+  find_pairs(k, looks, LONG_ROWS, first, kept);
   if (looks && gl_LocalInvocationID.x < group_rows()) {
     uint length = found[lane_of_row()];
     row_length[i] = length;

@@ -18,6 +18,6 @@ void main() {
     row.count = row_length[i];
     row.first = keys_at(i, row.count);
     found[lane_of_row()] = 0u;
-    find_pairs(k, looks && row.count > list_state[0].kept, first, row);
+    find_pairs(k, looks && row.count > list_state[0].kept, false, first, row);
   }
 }

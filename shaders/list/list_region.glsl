@@ -18,9 +18,10 @@ shared uint range_length[LIST_RANGES];
 shared uint range_upto[LIST_RANGES + 1u];  // ... the points of those before, ...
 shared uint range_image[LIST_RANGES];      // ... the image's number, ...
 shared vec4 range_shift[LIST_RANGES];      // ... and where it lies, scaled
+const uint STAGED = 2u * uint(BLOCK);      // GLSL only: as many as this group stages
 shared uint staged;
-shared vec4 staged_point[2u * LIST_BLOCK];
-shared uint staged_key[2u * LIST_BLOCK];
+shared vec4 staged_point[STAGED];
+shared uint staged_key[STAGED];
 
 uint group_threads() { return uint(BLOCK); }  // GLSL only: known to the compiler
 uint group_rows() { return 1u << list_state[0].row_bits; }

@@ -2,59 +2,20 @@
 // The pairs of a group's rows. Rows of systems with many points within reach look together: each row, a lane of its
 // own, tests the points that the group has staged. Others, and queries, look alone.
 #include "shaders/list/list_region.glsl"
-#include "common/shared/list_exact.h"
+#include "shaders/list/list_wanted.glsl"
 
 layout(std430, binding = SLOT_LIST_KEY) restrict writeonly buffer ListKeyBuffer { uint list_keys[]; };
-layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };
 
-shared uint found[LIST_ROWS];            // pairs of each row
-shared uint word_bits[LIST_BLOCK];       // of each thread, for write_words: the staged points that are listed, ...
-shared uint64_t word_first[LIST_BLOCK];  // ... and where the first of their keys goes
+const uint WORDS = LONG_ROWS ? uint(BLOCK) : 1u;  // GLSL only: drivers keep arrays that nobody uses
+shared uint found[LIST_ROWS];                     // pairs of each row
+shared uint word_bits[WORDS];       // of each thread, for write_words: the staged points that are listed, ...
+shared uint64_t word_first[WORDS];  // ... and where the first of their keys goes
 
 // Room for the keys of a row.
 struct KeyRange {
   uint64_t first;
   uint count;
 };
-
-bool is_excluded(uint i, uint j) {
-  uint first = has_flag(LIST_ASKS) ? i : min(i, j);
-  uint second = has_flag(LIST_ASKS) ? j : max(i, j);
-  uint low = 0u;
-  uint high = list_state[0].exclusions;
-  while (low < high) {
-    uint middle = (low + high) / 2u;
-    uvec2 pair = list_excluded[middle];
-    if (pair.x == first && pair.y == second) return true;
-    if (pair.x < first || (pair.x == first && pair.y < second)) {
-      low = middle + 1u;
-    } else {
-      high = middle;
-    }
-  }
-  return false;
-}
-
-// Whether the list has every pair within reach except (i, i, 0).
-bool lists_all() { return !has_flag(LIST_HALF | LIST_SELF_PAIRS) && list_state[0].exclusions == 0u; }
-
-// Half lists have one of (i, j, S) and (j, i, -S); (i, i, 0) is only in lists with self_pairs.
-bool is_wanted(uint i, uint j, ivec4 image) {
-  if (list_state[0].exclusions != 0u && is_excluded(i, j)) return false;
-  if (has_flag(LIST_ASKS)) return true;
-  if (i != j) return i < j || !has_flag(LIST_HALF);
-  int first = image.x != 0 ? image.x : image.y != 0 ? image.y : image.z;
-  return first == 0 ? has_flag(LIST_SELF_PAIRS) : first > 0 || !has_flag(LIST_HALF);
-}
-
-bool is_within_reach(uint i, uint j, ivec4 image) {
-  uint element = element_of(i);
-  ivec4 mine = list_place[element];
-  ivec4 other = list_place[j];
-  return list_within_reach(list_given[element], list_given[j], list_system[mine.w].row, image.x + mine.x - other.x,
-                           image.y + mine.y - other.y, image.z + mine.z - other.z, list_state[0].cutoff,
-                           list_state[0].skin, has_flag(LIST_INCLUSIVE));
-}
 
 // Tests a point in float32 and appends the result as the lowest bit: in x if the point is certainly within reach, in y
 // also if float32 cannot decide.
@@ -143,7 +104,8 @@ void write_words(uint first, uint end, uint share) {
 
 // Tests the staged points from the first on, a share for each thread of a row that joins. All threads of a group call
 // this. Returns the bits that are undecided.
-uint test_staged(Region region, uint i, vec4 place, bool joins, uint first, uint end, KeyRange to, bool exact) {
+uint test_staged(Region region, uint i, vec4 place, bool joins, bool together, uint first, uint end, KeyRange to,
+                 bool exact) {
   uint bits = list_state[0].row_bits;
   uint threads = group_threads() >> bits;
   uint share = (end - first + threads - 1u) / threads;
@@ -152,7 +114,6 @@ uint test_staged(Region region, uint i, vec4 place, bool joins, uint first, uint
   tested.begin = first + (gl_LocalInvocationID.x >> bits) * share;
   tested.end = min(tested.begin + share, end);
   tested.image = LIST_NO_RANGE;
-  bool together = list_state[0].kept >= LIST_LONG;
   if (together) word_bits[gl_LocalInvocationID.x] = 0u;
   uint undecided = 0u;
   if (joins && tested.begin < tested.end) {
@@ -166,7 +127,7 @@ uint test_staged(Region region, uint i, vec4 place, bool joins, uint first, uint
 }
 
 // Looks through the region of the rows that look together. Returns not 0 if pairs of this row are undecided.
-uint look_through(uint i, vec4 place, bool joins, uint first_row, KeyRange to, bool exact) {
+uint look_through(uint i, vec4 place, bool joins, bool together, uint first_row, KeyRange to, bool exact) {
   uint thread = gl_LocalInvocationID.x;
   float tolerance = list_system[leading.system].tolerance;
   RowBox box = box_of_rows();
@@ -182,14 +143,14 @@ uint look_through(uint i, vec4 place, bool joins, uint first_row, KeyRange to, b
       barrier();
       uint have = staged;
       bool tests = have >= group_threads();
-      if (tests) undecided |= test_staged(region, i, place, joins, have - group_threads(), have, to, exact);
+      if (tests) undecided |= test_staged(region, i, place, joins, together, have - group_threads(), have, to, exact);
       barrier();
       if (tests && thread == 0u) staged = have - group_threads();
       if (tests && thread < group_rows() && own_point[thread] >= have - group_threads()) own_point[thread] = ~0u;
       barrier();
     }
   }
-  return undecided | test_staged(region, i, place, joins, 0u, staged, to, exact);
+  return undecided | test_staged(region, i, place, joins, together, 0u, staged, to, exact);
 }
 
 // Looks through the cells within a row's reach, whose ranges its threads share. Returns not 0 if pairs are undecided.
@@ -215,7 +176,7 @@ uint look_alone(ListLook look, vec4 place, uint own, KeyRange to, bool exact) {
 }
 
 // All threads of a group call this. Row k is one of the group's, from the first on.
-void find_pairs(uint k, bool looks, uint first_row, KeyRange to) {
+void find_pairs(uint k, bool looks, bool together, uint first_row, KeyRange to) {
   ListLook look = list_look[looks ? k : first_row];
   vec4 place = sorted[(has_flag(LIST_ASKS) ? list_state[0].points : 0u) + (looks ? k : first_row)];
   EXACT float part = list_system[look.system].reach_part + place.w;
@@ -232,8 +193,8 @@ void find_pairs(uint k, bool looks, uint first_row, KeyRange to) {
     if (leader == LIST_ROWS) return;
     waits = waits && !joins;
     bound_rows(look, place, joins);
-    if (look_through(look.i, place, joins, first_row, to, false) != 0u) undecided_rows = 1u;
+    if (look_through(look.i, place, joins, together, first_row, to, false) != 0u) undecided_rows = 1u;
     barrier();
-    if (undecided_rows != 0u) look_through(look.i, place, joins, first_row, to, true);
+    if (undecided_rows != 0u) look_through(look.i, place, joins, together, first_row, to, true);
   }
 }

@@ -55,13 +55,13 @@ def disassemble(text):
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {word}", "LISTED true", "BUNDLES false", "BY_CELLS false", f"DENSE {word}",
+        plain = [("BLOCK 256", f"EQUAL_RADII {word}", "LISTED true", "BUNDLES false", "BY_CELLS false", "LONG_ROWS false", f"DENSE {word}",
                   "FROM_TILES false", f"INDICES {indices}u")
                  for word, indices in (("false", 4), ("true", 2))]
         further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FOLDED",)]
         further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
         chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
-                  for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES") if choice in text]
+                  for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES", "LONG_ROWS") if choice in text]
         return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
     if stem in ("contact_pairs", "leapfrog"):
         return [("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")]
