@@ -21,7 +21,7 @@ from paper.plots import apis as plots_apis, ratio_by_duration  # noqa: E402
 from paper.progress import Progress  # noqa: E402
 from paper.records import APIS, DATA, MAIN, Machine, Missing  # noqa: E402
 from paper.tables import all_tables  # noqa: E402
-from paper.tables.apis import apis  # noqa: E402
+from paper.tables.apis import apis, opening  # noqa: E402
 from paper.tables.stress import stress  # noqa: E402
 from paper.text import escape  # noqa: E402
 
@@ -81,7 +81,8 @@ def write_paper_inputs(output):
     drawn, left_out = draw_all(machine, folder, progress.start)
     progress.start("tables")
     tables, unwritten = all_tables.write_all(machine, folder)
-    lines = dict([*captions(machine, drawn, tables), figure_elsewhere(plots_apis, three, folder), table_elsewhere(apis, three, folder)])
+    lines = dict([*captions(machine, drawn, tables), figure_elsewhere(plots_apis, three, folder), table_elsewhere(apis, three, folder),
+                  table_elsewhere(opening, three, folder)])
     if "stress" not in lines:
         lines.update([table_elsewhere(stress, other, folder)])
     (output / "captions.tex").write_text("".join(f"\\definecaption{{{name}}}{{{text}}}\n" for name, text in lines.items()))

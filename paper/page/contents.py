@@ -11,7 +11,7 @@ GROUPS = {
         "grid": "The grid", "grid-sizes": "The grid by size", "crossover": "All pairs or grid", "peers": "Other systems",
         "energy": "Energy"},
     "Launches and kernels": {
-        "three-apis": "OpenGL, Vulkan and CUDA", "first-use": "First use", "launch-paths": "Ways to launch", "overhead": "Launch overhead", "extensions": "OpenGL without extensions", "kernel-pairs": "Kernels alone",
+        "three-apis": "OpenGL, Vulkan and CUDA", "opening": "First use", "launch-paths": "Ways to launch", "overhead": "Launch overhead", "extensions": "OpenGL without extensions", "kernel-pairs": "Kernels alone",
         "phases": "Kernels of a step", "grid-phases": "Kernels of the grid",
         "counters": "Limits of CUDA's kernels", "ablation": "Ablations", "code": "Lines of code"},
     "Exactness and equality": {
@@ -33,7 +33,7 @@ GROUPS = {
     "The runs": {"machine": "Machine and run", "variation": "Spread of the times"},
 }
 
-NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "three-apis", "apis", "first-use", "launch-paths", "kernel-pairs", "phases",
+NEEDS_GPU = {"ratio-by-duration", "claims", "glsl-against-cuda", "methods", "energy", "three-apis", "apis", "opening", "launch-paths", "kernel-pairs", "phases",
              "grid-phases", "floor", "interop", "transfer", "loop", "extensions"}  # both APIs on one, or its timers
 
 OF_NO_MACHINE = {"code", "peers"}  # mostly measured elsewhere: shown once

@@ -5,7 +5,7 @@ import re
 from paper.numbers.derived import driver_record
 from paper.numbers.ratios import LEGEND, texts
 from paper.records import Missing, original_paper, recorded_code
-from paper.tables.apis import apis, first_use
+from paper.tables.apis import apis, opening
 from paper.tables.claims import claims
 from paper.tables.contacts import contacts
 from paper.tables.counters import counters
@@ -170,7 +170,7 @@ def machine_and_run(machine):
     return Table("machine", "The recorded machine and run.", heads, rows, left=2)
 
 
-MAKERS = (claims, apis, first_use, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counters,
+MAKERS = (claims, apis, opening, table1, table1_p95, frame_rates, arrangements, counts, methods, peak_rates, code, machine_and_run, stress, suite, counters,
           variation, energy, contacts, extensions, *STUDIED)
 
 

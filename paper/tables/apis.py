@@ -16,7 +16,7 @@ def apis(machine):
                  source=", ".join(sources))
 
 
-def first_use(machine):
+def opening(machine):
     uses, compiling, code = three.first_uses(machine), three.compile_seconds(machine), recorded_code()["host"]
 
     def row(what, key, scale=1):
@@ -28,6 +28,6 @@ def first_use(machine):
             ["lines of host code", *(f"{code[name]:,}" for name in three.APIS)]]
     sources = [machine.source(f"first_use_{name}.json")["id"] for name in three.APIS] + [machine.source("compile.json")["id"]]
     heads = [[("", 1)] * 4, ["", *(APIS[name] for name in three.APIS)]]
-    return Table("first-use", "What an API costs before it is fast, each in a process of its own and without the driver's cache of kernels. A search "
+    return Table("opening", "What an API costs before it is fast, each in a process of its own and without the driver's cache of kernels. A search "
                  "is waited for. Compiling: by the driver, in Vulkan also by glslang; CUDA's kernels are compiled when the program is built. Memory: "
                  "the growth of the process and, by NVML, of the GPU.", heads, rows, source=", ".join(sources))

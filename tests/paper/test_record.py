@@ -25,7 +25,7 @@ from stand_ins import StandIn  # noqa: E402
 # statement is made of them; one that does is refused here. They go out when paper/record records these parts again.
 REFUSED = {"h100": {"stress"}, "llvmpipe": {"stress"}}
 # Records of the machines of paper/data that were made again since the kernels changed; one that is stale is refused here.
-CURRENT = {"apis": set(), "h100": set(), "h200": set(), "llvmpipe": set()}
+CURRENT = {"apis": {"compile.json", "crossover", "sweep_spirv"}, "h100": set(), "h200": set(), "llvmpipe": set()}
 
 
 class Recording(StandIn):
@@ -156,7 +156,7 @@ class Needs(StandIn):
         self.say(software=True)
         self.assertRegex(self.run_it("--list"), r"results .* needs opengl")
         self.run_it("--processes", "1")
-        self.assertEqual({"crossover", "frames", "precision", "sweep"}, {words[0] for words in self.calls()})
+        self.assertEqual({"crossover", "devices", "frames", "precision", "sweep"}, {words[0] for words in self.calls()})
 
     def test_without_cuda_there_are_other_parts(self):
         self.say(cuda=False, software=True)
