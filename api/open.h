@@ -13,8 +13,8 @@ std::vector<std::string> backend_names();  // cpu, opengl, cuda, vulkan: the def
 // cuda, vulkan, opengl: the backends on a GPU, in the order in which `auto` tries them.
 std::vector<std::string> gpu_backend_names();
 
-// backend_names() and, for comparison with opengl, OpenGL in plain storage without vendors' extensions: opengl-core
-// from the text of kernels, opengl-spirv from their SPIR-V.
+// backend_names() and two forms of OpenGL to compare with it. Both use plain storage and no vendor's extensions. The
+// driver compiles the kernels of opengl-core from their text, those of opengl-spirv from SPIR-V.
 std::vector<std::string> all_backend_names();
 
 // The current name of a backend: glsl is an older name of opengl, glsl-core of opengl-core. Throws

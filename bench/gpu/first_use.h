@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an API costs before it pays: the time to open it, the first search, which compiles or loads kernels, and memory.
+// What an API costs at first: the time to open it, the time of the first search, and memory.
 #pragma once
 
 #include <optional>

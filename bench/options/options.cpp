@@ -60,9 +60,8 @@ void add_backends_option(CLI::App& command, std::vector<std::string>& backends) 
       .add_option_function<std::vector<std::string>>(
           "--backends", take,
           "Only these of cpu,opengl,cuda,vulkan, opengl-core (OpenGL without vendors' extensions and storage) and "
-          "opengl-spirv (the same with kernels compiled to SPIR-V), and each must open; auto: all that open but the "
-          "last "
-          "two")
+          "opengl-spirv (the same with kernels compiled to SPIR-V), and each must open; auto: the first "
+          "four, as far as they open")
       ->delimiter(',')
       ->default_str(kAutomaticBackend);
 }

@@ -70,8 +70,8 @@ struct OpenOptions {
   bool large_pages = true;          // OpenGL: storage in large pages if the driver has it
   bool subgroups = true;            // OpenGL, Vulkan: sums through subgroups if the driver has them
   bool vendor_free = false;         // OpenGL: plain storage and only ARB extensions: the backend opengl-core
-  // OpenGL: compiles a kernel's text to SPIR-V, `what` names it in errors: the backend opengl-spirv. Null: the driver
-  // compiles the text.
+  // Of opengl-spirv: compiles the text of a kernel to SPIR-V; `what` names the kernel in errors. Null: the driver gets
+  // the text.
   std::vector<uint32_t> (*to_spirv)(const std::string& text, const std::string& what) = nullptr;
   uint64_t texels = ~0ull;  // OpenGL, Vulkan: upper limit for the texels of a texture buffer
   int threads = 0;          // of the CPU backend; 0: one per core

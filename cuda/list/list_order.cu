@@ -89,8 +89,8 @@ __device__ inline uint key_at(uint row, uint bits, uint n) {
   return keys[row * (LIST_SLOT << bits) + n + n / LIST_KEYS_EACH];
 }
 
-// Writes the shifts of a sorted row from pair `begin` on. Places of second points are read several at a time, and only
-// if the system has wrapped points.
+// Writes the shifts of a sorted row, whose first pair is number `begin`. Only systems with wrapped points read the
+// places of second points; a thread reads several before it writes, so that their loads overlap.
 __device__ inline void write_shifts(const KernelBuffers& buf, uint i, uint row, uint bits, uint64_t begin, uint lanes) {
   RowKeys row_keys = keys_of_row(buf, i);
   uint length = lengths[row];

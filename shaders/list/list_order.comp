@@ -95,8 +95,8 @@ void sort_rows(OwnKeys own, uint bits) {
 
 uint key_at(uint row, uint bits, uint n) { return keys[row * (LIST_SLOT << bits) + n + n / LIST_KEYS_EACH]; }
 
-// Writes the shifts of a sorted row from pair `begin` on. Places of second points are read several at a time, and only
-// if the system has wrapped points.
+// Writes the shifts of a sorted row, whose first pair is number `begin`. Only systems with wrapped points read the
+// places of second points; a thread reads several before it writes, so that their loads overlap.
 void write_shifts(uint i, uint row, uint bits, uint64_t begin, uint lanes) {
   RowKeys row_keys = keys_of_row(i);
   uint length = lengths[row];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the pairs that float32 finds are in the list: those that are wanted, and within reach by the numbers as
-// given.
+// Whether a pair belongs to the list: half lists, exclusions and self pairs, and the distance of the numbers as given.
 #include "common/shared/list_exact.h"
 
 layout(std430, binding = SLOT_LIST_EXCLUDED) restrict readonly buffer ListExcludedBuffer { uvec2 list_excluded[]; };

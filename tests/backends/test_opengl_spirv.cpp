@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend opengl-spirv: kernels that glslang compiles to SPIR-V give what the driver's own compiler gives.
-#include <optional>
-
+// The backend opengl-spirv finds the same sets and states as opengl-core, whose kernels the driver compiles from text.
 #include "tests/support/backends.h"
 
 namespace spherepair {

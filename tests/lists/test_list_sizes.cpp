@@ -55,7 +55,7 @@ TEST_P(Lists, RowsMayBeLongerThanAGroupsMemory) {
 }
 
 // Each point has about 140 neighbours, and one of 110 twice as many. Once the mean is known, a group of 16 or 32 rows
-// writes keys together. Distances of 1.625 are ties, which float32 leaves undecided.
+// writes its keys together. Points exactly 1.625 apart are left undecided by float32.
 TEST_P(Lists, RowsThatLookTogetherMayBeLong) {
   Random random(98);
   const int edge = is_gpu(backend()) ? 17 : 13;
