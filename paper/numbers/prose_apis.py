@@ -49,4 +49,15 @@ def tensor_cores(put, machine, others):
         put(f"apis/tensor/{name}/{method}", ms(time), run, f"ms of all pairs by {method}, {name}")
 
 
-COMPARED_APIS = (short_steps, launch_costs, large_work, tensor_cores)
+def from_spirv(put, machine, others):
+    run = machine.source("sweep_spirv")["id"]
+    n, times = apis.spirv_times(machine)
+    put("apis/spirv/n", f"{n:,}", run, "spheres searched by OpenGL's kernels from SPIR-V")
+    for key, method in (("pairs", "collide_triangle"), ("grid", "collide_grid")):
+        for name, backend in (("binary", "opengl-spirv"), ("text", "opengl-core")):
+            put(f"apis/spirv/{key}/{name}", ms(times[backend, method]), run, f"ms of {method}, {backend}")
+    slower = {method: times["opengl-spirv", method] / times["opengl-core", method] for method in ("collide_triangle", "collide_grid")}
+    said(machine, slower["collide_triangle"] > slower["collide_grid"] > 1, "OpenGL's kernels from SPIR-V are slower, all pairs most")
+
+
+COMPARED_APIS = (short_steps, launch_costs, large_work, tensor_cores, from_spirv)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rules on what compilers make of kernels: glslang's SPIR-V (a proxy, drivers get text), nvcc's PTX, flags.
+"""Rules on what compilers make of kernels: glslang's SPIR-V, as Vulkan gets it, nvcc's PTX, flags.
 
 Each takes (root, build) and returns (complaints, what was checked)."""
 
@@ -17,6 +17,7 @@ from lint_sources import Skip
 
 STATE_FEEDING = ("move", "bounce", "evaluate_positions", "contact_pairs", "leapfrog")  # kernels whose results are the next step's input: every bit counts, so nothing is fused
 WITH_SEARCH = ("persistent_steps",)  # feeds state and searches: the filter's own fused multiply-adds are its only ones
+CHOICES = "EQUAL_RADII", "DENSE", "BUNDLES", "BY_CELLS", "LONG_ROWS", "FROM_TILES"  # of kernels that feed no state
 METHODS, PRECISIONS = range(6), ("float", "Two", "double")  # of layout.h; bounce and evaluate_positions are of one method
 EXACT_FUNCTIONS = ("PackDouble2x32", "UnpackDouble2x32", "FAbs", "FMin", "FMax", "NMin", "NMax", "UMin", "UMax", "SMin",
                    "SMax", "FindUMsb", "FindSMsb", "FindILsb")
@@ -27,11 +28,6 @@ MAY_CONTRACT = ("common/cpu/search/cpu_simd.cpp", "tests/")  # a filter whose bo
 LOOSE_FLAGS = ("-ffast-math", "-Ofast", "--use_fast_math", "-use_fast_math", "--ftz=true", "-ffp-contract=fast")
 
 
-def need(tool, package):
-    if not shutil.which(tool):
-        raise Skip(f"{tool} is not installed (package {package})")
-
-
 def with_defines(text, *defines):
     """As the driver gets it: the definitions follow the #version line."""
     extensions = {"ATOMICS_64": "GL_NV_shader_atomic_int64"}
@@ -40,29 +36,33 @@ def with_defines(text, *defines):
     return re.sub(r"(#version .*\n)", lambda match: match[1] + lines, text, count=1)
 
 
-def disassemble(text):
-    """SPIR-V assembly of a compute shader; raises ValueError with glslang's message."""
+def disassembled(texts, build):
+    """SPIR-V assembly of each compute shader, as the program compiles them for Vulkan, or what was wrong with it."""
+    compiler = build / "tests/lint/compile_shaders"
+    if not compiler.exists():
+        raise Skip("this build has no Vulkan, whose SPIR-V is looked at")
+    if not shutil.which("spirv-dis"):
+        raise Skip("spirv-dis is not installed (package spirv-tools)")
     with tempfile.TemporaryDirectory() as folder:
-        shader, binary = pathlib.Path(folder, "shader.comp"), pathlib.Path(folder, "shader.spv")
-        shader.write_text(text)
-        newer = ["--target-env", "spirv1.3"] if "GL_NV_cooperative_matrix" in text else []  # as Vulkan alone takes them
-        made = subprocess.run(["glslangValidator", "-G", *newer, "-o", binary, shader], capture_output=True, text=True)
-        if made.returncode:
-            raise ValueError(made.stdout.replace(folder + "/", "").strip())
-        return subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout
+        for k, text in enumerate(texts):
+            pathlib.Path(folder, f"{k}.comp").write_text(text)
+        subprocess.run([compiler, folder], check=True)
+        for k in range(len(texts)):
+            binary, wrong = pathlib.Path(folder, f"{k}.spv"), pathlib.Path(folder, f"{k}.txt")
+            yield (ValueError(wrong.read_text()) if wrong.exists() else
+                   subprocess.run(["spirv-dis", binary], capture_output=True, text=True, check=True).stdout)
 
 
 def variants(stem, text):
     """The definitions of every program that is made from a shader."""
     if stem not in STATE_FEEDING:
-        plain = [("BLOCK 256", f"EQUAL_RADII {word}", "LISTED true", "BUNDLES false", "BY_CELLS false", "LONG_ROWS false", f"DENSE {word}",
-                  "FROM_TILES false", f"INDICES {indices}u")
-                 for word, indices in (("false", 4), ("true", 2))]
-        further = [("ATOMICS_64",), ("TEXTURE_TABLE",), ("FOLDED",)]
-        further += [("TEXTURE_TABLE", "WINDOWS")] * (stem == "collide_grid")
-        chosen = [tuple(define.replace(f"{choice} false", f"{choice} true") for define in plain[0])
-                  for choice in ("BUNDLES", "BY_CELLS", "FROM_TILES", "LONG_ROWS") if choice in text]
-        return plain + chosen + [(*plain[0], *defines) for defines in further if defines[-1] in text]
+        plain = ("BLOCK 256", "LISTED true", *(f"{word} false" for word in CHOICES), "INDICES 4u")
+        equal = tuple(define.replace("false", "true") if define.startswith(("EQUAL_RADII", "DENSE")) else define for define in plain[:-1])
+        equal += ("INDICES 2u", *(word for word in ("FOLDED", "ATOMICS_64") if word in text))  # independent of each other
+        chosen = [tuple(define.replace(f"{word} false", f"{word} true") for define in plain)
+                  for word in CHOICES if word in text and word not in ("EQUAL_RADII", "DENSE")]
+        texture = [(*plain, "TEXTURE_TABLE"), (*plain, "TEXTURE_TABLE", "WINDOWS")] if "TEXTURE_TABLE" in text else []
+        return [plain, equal, *chosen, *texture[:2 if "WINDOWS" in text else 1]]
     if stem in ("contact_pairs", "leapfrog"):
         return [("BLOCK 256", "INDICES 0u", "METHOD 7u", "PRECISION 3", "Real int64_t")]
     methods = METHODS if stem == "move" else (6,)
@@ -85,28 +85,23 @@ def spirv_complaints(assembly, may_fuse):
 
 
 def shaders(root, build):
-    need("glslangValidator", "glslang-tools")
-    need("spirv-dis", "spirv-tools")
     flattened = sorted((build / "flattened").glob("*.comp"))
     if not flattened:
         raise Skip("no flattened shaders: the build has no GLSL")
     missing = {p.stem for p in (root / "shaders").rglob("*.comp")} - {p.stem for p in flattened}
     complaints = [f"{stem}.comp: is not built: add it to common/device/kernel_list.h" for stem in sorted(missing)]
-    checked = 0
-    for path in flattened:
-        text = path.read_text()
-        used = []
-        for defines in variants(path.stem, text):
-            checked += 1
-            try:
-                assembly = disassemble(with_defines(text, *defines))
-                found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
-                used.append(lint_kernels.used_slots(assembly))
-            except ValueError as error:
-                found = [str(error)]
-            complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
-        complaints += lint_kernels.complaints(root, path.stem, used)
-    return complaints, f"{len(flattened)} shaders in {checked} variants"
+    programs = [(path, defines) for path in flattened for defines in variants(path.stem, path.read_text())]
+    used = {path.stem: [] for path in flattened}
+    texts = [with_defines(path.read_text(), *defines) for path, defines in programs]
+    for (path, defines), assembly in zip(programs, disassembled(texts, build)):
+        found = [str(assembly)]
+        if not isinstance(assembly, ValueError):
+            found = spirv_complaints(assembly, may_fuse=path.stem not in STATE_FEEDING)
+            used[path.stem].append(lint_kernels.used_slots(assembly))
+        complaints += [f"{path.name} ({', '.join(defines)}): {complaint}" for complaint in found]
+    for stem, found in used.items():
+        complaints += lint_kernels.complaints(root, stem, found)
+    return complaints, f"{len(flattened)} shaders in {len(programs)} variants"
 
 
 def ptx_complaints(text, with_search=False):
