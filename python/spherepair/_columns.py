@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Dict, Union
+import functools
+from typing import Any, Dict, Tuple, Union
 
 from . import _abi
 from ._context import Context, context_of
@@ -16,6 +17,7 @@ from ._views import View
 FIELDS = {"i": "first", "j": "second", "S": "shifts", "D": "vectors", "d": "distances", "offsets": "offsets"}
 WANTED = {"S": _abi.SHIFTS, "D": _abi.VECTORS, "d": _abi.DISTANCES, "offsets": _abi.OFFSETS}
 INDICES = {"int32": "i4", "int64": "i8"}
+LIBRARYS_INDICES = "i4"
 
 
 def index_code(index_dtype: Any) -> str:
@@ -30,7 +32,7 @@ def index_code(index_dtype: Any) -> str:
 
 def letters(quantities: Any) -> str:
     """Raises ValueError unless the quantities are letters of "ijSdD"."""
-    if not isinstance(quantities, str) or not quantities or set(quantities) - set("ijSdD"):
+    if not isinstance(quantities, str) or not quantities or quantities.strip("ijSdD"):
         raise ValueError(f"quantities is {quantities!r}: one or more of the letters i, j, S, d, D")
     return quantities
 
@@ -55,12 +57,19 @@ class List:
         return View(given.data or 0, shape, strides, code, True, self)
 
 
-def columns(search: Search, names: Any, backend: Union[str, Context], index_dtype: Any) -> Dict[str, Any]:
+@functools.lru_cache(maxsize=256)
+def _needed(names: Union[str, Tuple[str, ...]], sorts: bool) -> Tuple[Tuple[str, ...], int]:
+    """Gives the columns to take from the library, and sp_list's flags for them. Sorted lists get offsets of their own."""
+    needed = tuple(dict.fromkeys([*names, *("ij" if sorts else "")]))
+    needed = tuple(name for name in needed if not (sorts and name == "offsets"))
+    return needed, sum(WANTED.get(name, 0) for name in needed)
+
+
+def columns(search: Search, names: Union[str, Tuple[str, ...]], backend: Union[str, Context], index_dtype: Any) -> Dict[str, Any]:
     """Gives the columns of the list by name: torch tensors if the positions are one."""
     code = index_code(index_dtype)
     sorts = search.queries.order is not None or search.points.order is not None
-    needed = set(names) | ({"i", "j"} if sorts else set())
-    wanted = sum(WANTED[name] for name in needed if name in WANTED and not (sorts and name == "offsets"))
+    needed, wanted = _needed(names, sorts)
     pointer = ctypes.POINTER(_abi.Pairs)()
     try:
         context_of(backend)._call(lib.sp_list, ctypes.byref(search.struct), wanted, ctypes.byref(pointer))
@@ -69,10 +78,11 @@ def columns(search: Search, names: Any, backend: Union[str, Context], index_dtyp
     made = List(pointer)
     if search.cuda is not None:
         return {name: search.cuda.array(made.column(name), code if name in "ijS" else None) for name in names}
-    found = {name: arrays.output(made.column(name)) for name in needed if name != "offsets" or not sorts}
+    found = {name: arrays.output(made.column(name)) for name in needed}
     if sorts:
-        _regroup(search, found, "offsets" in needed)
-    found = {name: arrays.cast(found[name], code) if name in "ijS" else found[name] for name in names}
+        _regroup(search, found, "offsets" in names)
+    if code != LIBRARYS_INDICES:
+        found.update({name: arrays.cast(found[name], code) for name in found if name in "ijS"})
     if search.torch is not None:
         found = {name: to_torch(search.torch, column) for name, column in found.items()}
     return found

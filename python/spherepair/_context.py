@@ -9,6 +9,7 @@ import os
 import threading
 from typing import Any, Dict, Optional, Union
 
+from . import _handle
 from ._errors import BackendError
 from ._handle import Handle
 from ._library import lib
@@ -64,7 +65,7 @@ def _end_threads() -> None:
     lib.omp_pause_resource_all(1)
 
 
-if hasattr(os, "register_at_fork") and hasattr(lib, "omp_pause_resource_all"):
+if hasattr(lib, "omp_pause_resource_all"):
     os.register_at_fork(before=_end_threads)
 
 _kept = threading.local()
@@ -74,7 +75,7 @@ def context_of(backend: Union[str, Context]) -> Context:
     """Gives the context itself, or for a backend's name the context that this thread keeps."""
     if isinstance(backend, Context):
         return backend
-    key = (backend, os.getpid())
+    key = (backend, _handle.process)
     contexts = _kept.__dict__.setdefault("contexts", {})
     if key not in contexts:
         contexts[key] = Context(backend)

@@ -13,9 +13,20 @@ from . import _abi
 from ._errors import BackendError, error
 
 
-def _close(function: Any, handle: ctypes.c_void_p, process: int) -> None:
+process = object()  # another one in each child process: compared sooner than os.getpid() asks the system
+
+
+def _forked() -> None:
+    global process
+    process = object()
+
+
+os.register_at_fork(after_in_child=_forked)
+
+
+def _close(function: Any, handle: ctypes.c_void_p, opened_in: object) -> None:
     """Closes a handle, but not in a child process: the driver's state stayed with the parent."""
-    if os.getpid() == process:
+    if opened_in is process:
         function(handle)
 
 
@@ -28,7 +39,7 @@ class Handle:
         status = open_it(*arguments, ctypes.byref(self._handle))
         if status != _abi.OK:
             raise error(status, (message(None) or b"").decode(errors="replace"))
-        self._lock, self._process = threading.Lock(), os.getpid()
+        self._lock, self._process = threading.Lock(), process
         self._closer = weakref.finalize(self, _close, close_it, self._handle, self._process)
         self._closer.atexit = False  # another thread may still be in a call when the interpreter ends
 
@@ -45,7 +56,7 @@ class Handle:
 
     def _call(self, function: Any, *arguments: Any, allowed: int = _abi.OK) -> Any:
         """Calls `function` with the pointer and returns its result. Raises for a status other than OK and `allowed`."""
-        if os.getpid() != self._process:
+        if self._process is not process:
             raise BackendError(f"the {self._name} was opened before os.fork(): open another one in this process")
         with self._lock:
             if not self._closer.alive:

@@ -108,9 +108,9 @@ def _cells(cell: Any) -> View:
         return arrays.diagonal(given)
     if given.shape[-2:] != (3, 3) or len(given.shape) > 3:
         raise ValueError(f"cell has shape {given.shape}: 3 lengths, 3 x 3 rows or B x 3 x 3 rows are needed")
-    rows = given.copied() or arrays.converted(given, "f8")
-    count = given.shape[0] if len(given.shape) == 3 else 1
-    return View(rows.address, (count, 9), (72, 8), "f8", True, rows.keep)
+    shape = (given.shape[0] if len(given.shape) == 3 else 1, 9)
+    copy = given.copied(shape)
+    return copy if copy is not None else arrays.converted(given, "f8").copied(shape)
 
 
 def _flags(pbc: Any) -> List[List[int]]:
@@ -134,6 +134,16 @@ def flags(pbc: Any) -> List[int]:
     return rows[0]
 
 
+def _bytes(rows: List[List[int]]) -> View:
+    """Makes B x 3 bytes."""
+    keep = array("B", [flag for row in rows for flag in row])
+    return View(keep.buffer_info()[0], (len(rows), 3), (3, 1), "u1", True, keep)
+
+
+_PERIODIC = [[1, 1, 1]]  # the flags of one box, and their bytes
+_periodic_bytes = _bytes(_PERIODIC)
+
+
 def boxes(cell: Any, pbc: Any) -> Tuple[Optional[View], Optional[View]]:
     """Makes B x 9 rows of the boxes and B x 3 flags, or None and None for open boxes. Without pbc a cell is periodic."""
     if cell is None:
@@ -141,7 +151,7 @@ def boxes(cell: Any, pbc: Any) -> Tuple[Optional[View], Optional[View]]:
             raise ValueError("pbc is set, but there is no cell: give its rows as `cell`")
         return None, None
     cells = _cells(cell)
-    flags = [[1, 1, 1]] if pbc is None else _flags(pbc)
+    flags = _PERIODIC if pbc is None or pbc is True else _flags(pbc)
     count = max(cells.shape[0], len(flags))
     if {cells.shape[0], len(flags)} - {1, count}:
         raise ValueError(f"cell has {cells.shape[0]} boxes, pbc has {len(flags)} rows: one of them, or equally many")
@@ -150,5 +160,4 @@ def boxes(cell: Any, pbc: Any) -> Tuple[Optional[View], Optional[View]]:
         cells = View(cells.address, (count, 9), (72, 8), "f8", True, cells.keep)
     if len(flags) < count:
         flags = flags * count
-    keep = array("B", [flag for row in flags for flag in row])
-    return cells, View(keep.buffer_info()[0], (count, 3), (3, 1), "u1", True, keep)
+    return cells, _periodic_bytes if flags is _PERIODIC else _bytes(flags)

@@ -79,6 +79,9 @@ class Search:
         self._boxes = 1 if cells is None else cells.shape[0]
 
     def _set_systems(self, points: View, batch: Any, asked: Optional[View], query_batch: Any) -> None:
+        if asked is None and batch is None:
+            self.points = self.queries = Sorted()
+            return
         if asked is None:
             [self.points] = sort([_on_cuda.on_host(batch, "batch")], ["batch"], [points.shape[0]], self._boxes)
             self.queries = self.points

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import array
 import ctypes
+import functools
 import math
 import struct
 import sys
@@ -44,27 +45,26 @@ class View(NamedTuple):
     def usable(self, codes: Tuple[str, ...]) -> bool:
         """Says whether the library can read the numbers where they are."""
         size = int(self.code[1:])
-        return (self.code in codes and self.native and self.address % size == 0
-                and not any(stride % size for stride in self.strides))
+        return self.code in codes and self.native and not any([number % size for number in (self.address, *self.strides)])
 
-    def copied(self) -> Optional["View"]:
-        """Gives a copy of float64 numbers in C order, None for others."""
+    def copied(self, shape: Tuple[int, ...]) -> Optional["View"]:
+        """Gives a copy of float64 numbers in C order, with another shape. None for other numbers."""
         if self.code != "f8" or not self.native or self.strides != contiguous(self.shape, 8):
             return None
-        size = 8 * math.prod(self.shape)
-        keep = ctypes.create_string_buffer(ctypes.string_at(self.address, size), size + 1)
-        return self._replace(address=ctypes.addressof(keep), keep=keep)
+        keep = array.array("d", ctypes.string_at(self.address, 8 * math.prod(shape)))
+        return View(keep.buffer_info()[0], shape, contiguous(shape, 8), "f8", True, keep)
 
     def struct(self) -> _abi.Array:
         """Gives the view as an sp_array. Its code must be one of _abi.TYPES."""
         size = int(self.code[1:])
         rows, columns = (*self.shape, 1)[:2]
-        strides = [stride // size for stride in self.strides] + [1]
-        address = self.address if rows * columns else ctypes.addressof(_nothing)
-        device = (_abi.HOST, 0) if self.cuda is None else (_abi.CUDA, self.cuda)
-        return _abi.Array(address, rows, columns, strides[0], strides[1], _abi.TYPES[self.code], *device)
+        row_stride, column_stride = (*self.strides, size)[:2]
+        address = self.address if rows and columns else ctypes.addressof(_nothing)
+        device, number = (_abi.HOST, 0) if self.cuda is None else (_abi.CUDA, self.cuda)
+        return _abi.Array(address, rows, columns, row_stride // size, column_stride // size, _abi.TYPES[self.code], device, number)
 
 
+@functools.lru_cache(maxsize=1024)  # of what takes a microsecond
 def contiguous(shape: Tuple[int, ...], size: int) -> Tuple[int, ...]:
     """Gives the strides in bytes of an array in C order."""
     strides = [size]
@@ -75,6 +75,8 @@ def contiguous(shape: Tuple[int, ...], size: int) -> Tuple[int, ...]:
 
 def view(obj: Any, name: str) -> View:
     """Gives a view of any array of numbers. Nested sequences are copied. `name` is for messages."""
+    if numpy is not None and type(obj) is numpy.ndarray:  # nothing but its numbers can be meant
+        return _of_interface(obj, obj.__array_interface__, name)
     refuse_device_memory(obj, name)
     if getattr(obj, "requires_grad", False):
         obj = obj.detach()
