@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// compile_shaders FOLDER: compiles each NAME.comp in a folder as the program does for Vulkan, to NAME.spv, or writes what
-// was wrong with it to NAME.txt.
+// compile_shaders FOLDER: compiles each NAME.comp in a folder as the program does for Vulkan, to NAME.spv, or writes
+// what was wrong with it to NAME.txt.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
