@@ -77,10 +77,20 @@ std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const
   throw BackendError(fmt::format("{}: not in this build; install {} and configure again", id, packages));
 }
 
+// SPHEREPAIR_CACHE (empty: none), else `spherepair` in the user's folder for what can be made again.
+std::string cache_folder() {
+  if (const char* own = std::getenv("SPHEREPAIR_CACHE")) return own;
+  const char* of_user = std::getenv("XDG_CACHE_HOME");
+  if (of_user && *of_user) return fmt::format("{}/spherepair", of_user);
+  const char* home = std::getenv("HOME");
+  return home && *home ? fmt::format("{}/.cache/spherepair", home) : "";
+}
+
 // If the user chose a GPU for another API only, takes the same one. EGL and Vulkan do not know CUDA_VISIBLE_DEVICES:
 // they take the first GPU that it leaves to CUDA. They take their own first GPU if it leaves none or they cannot open
 // that one.
 OpenOptions with_device(const std::string& id, OpenOptions options) {
+  if (options.spirv_folder.empty()) options.spirv_folder = cache_folder();
   options.vendor_free = id == "opengl-core" || id == "opengl-spirv";
 #ifdef SPHEREPAIR_WITH_VULKAN
   if (id == "opengl-spirv") options.to_spirv = compile_for_opengl;

@@ -45,7 +45,7 @@ def sweep(name, minutes, backends, words, **more):
     return Part(name, minutes, tuple(backends.split(",")), words, {"sweep": f"{name}/{{process}}"}, **more)
 
 
-UNCACHED = {"__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
+UNCACHED = {"SPHEREPAIR_CACHE": "", "__GL_SHADER_DISK_CACHE": "0", "MESA_SHADER_CACHE_DISABLE": "1"}
 
 
 def compiling(backends):

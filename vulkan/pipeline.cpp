@@ -11,10 +11,10 @@ namespace spherepair {
 namespace {
 
 SpirvModule module_of(const DeviceLimits& limits, Kernel kernel, uint block, const Variant& variant,
-                      const std::string& what) {
+                      const std::string& what, const std::string& folder) {
   const KernelExtensions extensions{.atomics_64 = limits.atomics_64 ? "GL_EXT_shader_atomic_int64" : "",
                                     .subgroups = limits.subgroups};
-  SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what);
+  SpirvModule module = compile_to_spirv(kernel_text(kernel_name(kernel), block, variant, extensions), what, folder);
   // Mesa's lavapipe compiles a version of a kernel for each value of a uniform that controls a branch, and frees none.
   // With unrolled loops Mesa 22.3 finds wrong pairs in collide_tiled.
   limits.software ? module.read_uniforms_as_storage() : module.unroll_loops();
@@ -28,9 +28,10 @@ std::string in_words(Kernel kernel, uint block) {
 
 }  // namespace
 
-Pipeline::Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant)
+Pipeline::Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant,
+                   const std::string& folder)
     : device_(device),
-      module_(module_of(device.limits(), kernel, block, variant, in_words(kernel, block))),
+      module_(module_of(device.limits(), kernel, block, variant, in_words(kernel, block), folder)),
       steps_offset_(module_.offset_of(loose_binding, "steps_done")),
       view_offset_(module_.offset_of(loose_binding, "view_words")) {
   const std::string what = in_words(kernel, block);
@@ -130,7 +131,7 @@ std::vector<StageTime> compile_times(const LogicalDevice& device) {
     const Clock::time_point start = Clock::now();
     const Pipeline compiled(
         device, kernel,
-        kernel == Kernel::collide_tensor ? capabilities_of(device.limits()).tensor_block : SERVICE_BLOCK, {});
+        kernel == Kernel::collide_tensor ? capabilities_of(device.limits()).tensor_block : SERVICE_BLOCK, {}, "");
     times.push_back({kernel_name(kernel), std::chrono::duration<double>(Clock::now() - start).count()});
   }
 #undef KERNEL

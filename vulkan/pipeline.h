@@ -13,8 +13,9 @@ namespace spherepair {
 
 class Pipeline {
  public:
-  // Throws BackendError if glslang or the driver rejects the kernel, or if it binds more buffers than the device can.
-  Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant);
+  // SPIR-V is kept in files of `folder`; empty: none. Throws BackendError if glslang or the driver rejects the kernel,
+  // or if it binds more buffers than the device can.
+  Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant, const std::string& folder);
   ~Pipeline();
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
@@ -55,8 +56,9 @@ class Pipelines {
  public:
   explicit Pipelines(const LogicalDevice& device) : device_(device) {}
   const Pipeline& get(Kernel kernel, uint block, const Variant& variant) {
-    return cache_.get(kernel, block, variant,
-                      [&] { return std::make_unique<Pipeline>(device_, kernel, block, variant); });
+    return cache_.get(kernel, block, variant, [&] {
+      return std::make_unique<Pipeline>(device_, kernel, block, variant, device_.spirv_folder());
+    });
   }
   uint64_t compiled() const { return cache_.compiled(); }
 

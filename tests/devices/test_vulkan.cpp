@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
+#include <map>
 
 #include "bench/cli/commands.h"
 #include "tests/oracle/oracle.h"
@@ -10,6 +12,7 @@
 #include "tests/support/grid_results.h"
 #include "tests/support/images.h"
 #include "tests/support/program.h"
+#include "tests/support/sphere_files.h"
 
 namespace spherepair {
 namespace {
@@ -70,6 +73,41 @@ TEST_F(Vulkan, AMissingDriverIsSaid) {
   const Outcome outcome = run("run --backend vulkan --n 64", "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
   EXPECT_EQ(outcome.code, kDeviceFailure);
   EXPECT_NE(outcome.errors.find("vulkan: the loader finds no driver; install"), std::string::npos) << outcome.errors;
+}
+
+// The folder may be damaged, and may not be written.
+TEST_F(Vulkan, KeepsSpirvForLaterProcesses) {
+  namespace fs = std::filesystem;
+  const fs::path folder = path("cache");
+  const auto pairs = [&](const std::string& cache) {
+    const Outcome outcome = run(fmt::format("run --backend vulkan --n 300 --steps 2 --pairs '{}'", path("pairs.npy")),
+                                fmt::format("SPHEREPAIR_CACHE='{}'", cache));
+    EXPECT_EQ(outcome.code, kOk) << outcome.errors;
+    return read_bytes(path("pairs.npy"));
+  };
+  const auto files = [&] {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder)) found[entry.path()] = read_bytes(entry.path());
+    return found;
+  };
+  const std::string expected = pairs("");
+  EXPECT_FALSE(fs::exists(folder));
+  EXPECT_EQ(pairs(folder), expected);
+  const auto kept = files();
+  EXPECT_GE(kept.size(), 3u);
+  std::vector<fs::file_time_type> times;
+  for (const auto& [file, bytes] : kept) times.push_back(fs::last_write_time(file));
+  EXPECT_EQ(pairs(folder), expected);
+  size_t at = 0;
+  for (const auto& [file, bytes] : kept) EXPECT_EQ(fs::last_write_time(file), times[at++]) << "was compiled again";
+  for (const auto& [file, bytes] : kept) {
+    std::string damaged = bytes;
+    damaged[damaged.size() / 2] ^= 1;
+    std::ofstream(file) << (at++ % 2 ? damaged : bytes.substr(0, bytes.size() / 2));
+  }
+  EXPECT_EQ(pairs(folder), expected);
+  EXPECT_EQ(files(), kept) << "damaged files were not replaced";
+  EXPECT_EQ(pairs("/dev/null/nowhere"), expected);
 }
 
 TEST_F(Vulkan, SoftwareIsRefusedWhereHardwareIsRequired) {

@@ -4,6 +4,10 @@ from mutant import mutant
 
 VULKAN = [
     mutant("dispatches wait for none before", "vulkan/launches.cpp", "if (!one.early) kernel_barrier(vk_, commands);", "", "Vulkan"),
+    mutant("damaged SPIR-V is read", "vulkan/spirv/module_files.cpp", "if (digest_of(code) != written ||", "if (", "Vulkan"),
+    mutant("SPIR-V is compiled although it was kept", "vulkan/spirv/module_files.cpp", "if (words.empty()) write_words",
+           "write_words", "Vulkan"),
+    mutant("SPIR-V is kept without a folder for it", "vulkan/spirv/module_files.cpp", "if (folder.empty()) return compile();", "", "Vulkan"),
     mutant("a transfer waits for no kernel", "vulkan/staging.cpp", "  barrier_before_transfer(vk_, commands);\n", "", "Vulkan"),
     mutant("kernels do not wait for a transfer", "vulkan/staging.cpp", "  barrier_behind_transfer(vk_, commands);\n", "", "Vulkan"),
     mutant("slices are used again while they are read", "vulkan/launches.cpp",

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   spherepair::wait_passively(argv);
   const std::vector<std::string> command_line(argv, argv + argc);  // before GoogleTest takes its own words out
   testing::InitGoogleTest(&argc, argv);
+  setenv("SPHEREPAIR_CACHE", SPHEREPAIR_SCRATCH "/cache", 0);
   setenv("RC_PARAMS", "seed=20251121 max_success=1500", 0);
   if (!testing::GTEST_FLAG(list_tests)) {
     std::cout << "commit: " << spherepair::build_info.commit << "\ndate: " << spherepair::utc_date() << '\n';

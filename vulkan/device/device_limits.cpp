@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "vulkan/spirv/compile.h"
+
 namespace spherepair {
 namespace {
 
@@ -204,6 +206,7 @@ BackendInfo describe_device(const DeviceLimits& limits) {
   info.device_timers = !limits.software && limits.timestamp_bits != 0;
   if (!limits.software) info.uuid = limits.uuid;
   info.details = {{"driver", limits.driver},
+                  {"glslang", glslang_version()},
                   {"Vulkan version", api_version_text(limits.properties.apiVersion)},
                   {"largest storage buffer bytes", std::to_string(limits.largest_binding)},
                   {"largest texel buffer elements", std::to_string(limits.largest_texture)},

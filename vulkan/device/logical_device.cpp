@@ -6,7 +6,9 @@
 namespace spherepair {
 
 LogicalDevice::LogicalDevice(const OpenOptions& options)
-    : physical_(instance_.choose(options)), limits_(device_limits(instance_.calls, physical_, options)) {
+    : physical_(instance_.choose(options)),
+      limits_(device_limits(instance_.calls, physical_, options)),
+      spirv_folder_(options.spirv_folder) {
   const WantedFeatures wanted(limits_);
   const float priority = 1;
   auto queue = typed<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);

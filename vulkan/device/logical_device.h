@@ -18,11 +18,13 @@ class LogicalDevice {
   VkPhysicalDevice physical() const { return physical_; }
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
+  const std::string& spirv_folder() const { return spirv_folder_; }  // see OpenOptions
 
  private:
   Instance instance_;
   VkPhysicalDevice physical_;
   DeviceLimits limits_;
+  std::string spirv_folder_;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
 };

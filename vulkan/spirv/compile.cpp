@@ -7,12 +7,14 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include "common/backend/backend.h"
+#include "vulkan/spirv/module_files.h"
 
 namespace spherepair {
 namespace {
 
 constexpr int glsl_version = 450;
 
+constexpr const char* vulkan_rules = "Vulkan 1.1, SPIR-V 1.3, relaxed";  // names all of set_vulkan() in keys of files
 void set_vulkan(glslang::TShader& shader) {
   shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
@@ -54,11 +56,15 @@ void start_glslang() { [[maybe_unused]] static const bool ready = glslang::Initi
 
 }  // namespace
 
-SpirvModule compile_to_spirv(const std::string& text, const std::string& what) {
-  start_glslang();
-  glslang::TShader shader(EShLangCompute);
-  set_vulkan(shader);
-  return SpirvModule(compiled(shader, text, EShMsgVulkanRules, what));
+SpirvModule compile_to_spirv(const std::string& text, const std::string& what, const std::filesystem::path& folder) {
+  const std::string key = fmt::format("{}, glslang {}, {} {} {}\n{}", vulkan_rules, glslang_version(), params_binding,
+                                      loose_binding, first_texture_binding, text);
+  return SpirvModule(kept_words(folder, key, [&] {
+    start_glslang();
+    glslang::TShader shader(EShLangCompute);
+    set_vulkan(shader);
+    return compiled(shader, text, EShMsgVulkanRules, what);
+  }));
 }
 
 std::vector<uint32_t> compile_for_opengl(const std::string& text, const std::string& what) {
@@ -66,6 +72,11 @@ std::vector<uint32_t> compile_for_opengl(const std::string& text, const std::str
   glslang::TShader shader(EShLangCompute);
   set_opengl(shader);
   return compiled(shader, text, EShMsgDefault, what);
+}
+
+std::string glslang_version() {
+  const glslang::Version version = glslang::GetVersion();
+  return fmt::format("{}.{}.{}{}", version.major, version.minor, version.patch, version.flavor);
 }
 
 }  // namespace spherepair

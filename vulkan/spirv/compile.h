@@ -3,6 +3,7 @@
 // OpenGL's: Vulkan has one numbering for all kinds of bindings, and no uniforms outside of blocks.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "common/shared/layout.h"
@@ -17,9 +18,14 @@ constexpr uint loose_binding = params_binding + 1;  // the block in which glslan
 constexpr uint first_texture_binding = loose_binding + 1;
 
 // Compiles a compute shader for Vulkan 1.1. Throws BackendError with glslang's messages; `what` names the kernel.
-SpirvModule compile_to_spirv(const std::string& text, const std::string& what);
+// Starting glslang takes 0.15 s and a kernel 0.01 s, so results are kept in files of `folder`; empty: none.
+SpirvModule compile_to_spirv(const std::string& text, const std::string& what,
+                             const std::filesystem::path& folder = {});
 
 // The same for OpenGL 4.5, as words, with OpenGL's own bindings: see OpenOptions::to_spirv.
 std::vector<uint32_t> compile_for_opengl(const std::string& text, const std::string& what);
+
+// The version of glslang in this process. With the text it decides what SPIR-V is made.
+std::string glslang_version();
 
 }  // namespace spherepair
