@@ -3,7 +3,7 @@
 
 build_packages="g++ cmake ninja-build pkg-config libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libfmt-dev libboost-dev libglm-dev libpng-dev zlib1g-dev libglfw3-dev libimgui-dev libgl1
-  libvulkan-dev libvulkan1 mesa-vulkan-drivers glslang-dev spirv-tools"
+  libvulkan-dev libvulkan1 mesa-vulkan-drivers glslang-dev glslang-tools spirv-tools"
 test_packages="libbenchmark-dev libgtest-dev libgmp-dev librapidcheck-dev vulkan-validationlayers
   clang-format python3 xvfb xauth"
 sanitize_packages="clang-16 libclang-rt-16-dev libomp-16-dev llvm-16" # clang 14 cannot compile the views of GCC 12

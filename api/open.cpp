@@ -71,13 +71,14 @@ std::unique_ptr<Device> open_named(const std::string& id, [[maybe_unused]] const
   if (id.starts_with("opengl") && (options.to_spirv || id != "opengl-spirv")) return open_gl_device(options);
 #endif
   if (id == "cuda") throw BackendError("cuda: not in this build; put nvcc on the PATH and configure again");
-  const char* packages = id == "vulkan"         ? "libvulkan-dev, glslang-dev and spirv-tools"
-                         : id == "opengl-spirv" ? "libepoxy-dev, libegl-dev, libvulkan-dev, glslang-dev and spirv-tools"
-                                                : "libepoxy-dev and libegl-dev";
+  const char* packages = id == "vulkan" ? "libvulkan-dev, glslang-dev, glslang-tools and spirv-tools"
+                         : id == "opengl-spirv"
+                             ? "libepoxy-dev, libegl-dev, libvulkan-dev, glslang-dev, glslang-tools and spirv-tools"
+                             : "libepoxy-dev and libegl-dev";
   throw BackendError(fmt::format("{}: not in this build; install {} and configure again", id, packages));
 }
 
-// SPHEREPAIR_CACHE (empty: none), else `spherepair` in the user's folder for what can be made again.
+// SPHEREPAIR_CACHE, else `spherepair` in the user's folder for caches. Empty: nothing is kept.
 std::string cache_folder() {
   if (const char* own = std::getenv("SPHEREPAIR_CACHE")) return own;
   const char* of_user = std::getenv("XDG_CACHE_HOME");

@@ -13,8 +13,8 @@ namespace spherepair {
 
 class Pipeline {
  public:
-  // SPIR-V is kept in files of `folder`; empty: none. Throws BackendError if glslang or the driver rejects the kernel,
-  // or if it binds more buffers than the device can.
+  // `folder` keeps SPIR-V, see compile_to_spirv(). Throws BackendError if glslang or the driver rejects the kernel, or
+  // if it binds more buffers than the device can.
   Pipeline(const LogicalDevice& device, Kernel kernel, uint block, const Variant& variant, const std::string& folder);
   ~Pipeline();
   Pipeline(const Pipeline&) = delete;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <utility>
 
 #include "common/backend/checks.h"
@@ -129,6 +130,8 @@ void VulkanDevice::clear(const Memory& memory, uint64_t bytes) {
 
 void VulkanDevice::launch(const Launch& launch, const Params& params, const BufferHandles& buffers) {
   Call call{launch, params, seen_buffers(launch, buffers)};
+  // Not bound, or the validation layer would have to expect writes to them.
+  for (Slots left = launch.unused; left != 0; left &= left - 1) call.buffers[std::countr_zero(left)] = 0;
   if (launch.view) call.view = *std::exchange(call.launch.view, nullptr);
   call.launch.variant.folded = launch.groups[1] > 1 || params.first_group != 0;
   launches_.prepare(call);

@@ -73,7 +73,7 @@ struct OpenOptions {
   // Of opengl-spirv: compiles the text of a kernel to SPIR-V; `what` names the kernel in errors. Null: the driver gets
   // the text.
   std::vector<uint32_t> (*to_spirv)(const std::string& text, const std::string& what) = nullptr;
-  std::string spirv_folder = {};  // Vulkan: where SPIR-V is kept for later processes; empty: nowhere
+  std::string spirv_folder = {};  // Vulkan: folder that keeps SPIR-V; open_backend fills in an empty one
   uint64_t texels = ~0ull;        // OpenGL, Vulkan: upper limit for the texels of a texture buffer
   int threads = 0;                // of the CPU backend; 0: one per core
 };

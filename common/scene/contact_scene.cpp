@@ -32,6 +32,13 @@ void choose_units(Scene& scene) {
 
 double half_step_of_drag(const Scene& scene) { return 0.5 * double(scene.contact.drag) * double(scene.dt); }
 
+// What a periodic box adds to the rounding of centres; see centre_rounding.
+double image_rounding(const Scene& scene) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) sum += period_of(scene, axis);
+  return 5 * 0x1p-24 * sum;
+}
+
 }  // namespace
 
 double highest_speed_of(const Scene& scene, uint64_t i) {
@@ -114,13 +121,6 @@ bool units_are_fine(const Scene& scene) {
   if (!(radii_of(scene).smallest > 0)) return true;  // rejected elsewhere
   const int finest = position_bits - bits_above(extent_of(scene));
   return finest >= coarsest_units(radii_of(scene)) && double(skin_of(scene)) <= most_skin;
-}
-
-// What a periodic box adds to the rounding of centres; see centre_rounding.
-double image_rounding(const Scene& scene) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) sum += period_of(scene, axis);
-  return 5 * 0x1p-24 * sum;
 }
 
 float skin_of(const Scene& scene) {

@@ -64,7 +64,7 @@ class View(NamedTuple):
         return _abi.Array(address, rows, columns, row_stride // size, column_stride // size, _abi.TYPES[self.code], device, number)
 
 
-@functools.lru_cache(maxsize=1024)  # of what takes a microsecond
+@functools.lru_cache(maxsize=1024)
 def contiguous(shape: Tuple[int, ...], size: int) -> Tuple[int, ...]:
     """Gives the strides in bytes of an array in C order."""
     strides = [size]
@@ -75,7 +75,7 @@ def contiguous(shape: Tuple[int, ...], size: int) -> Tuple[int, ...]:
 
 def view(obj: Any, name: str) -> View:
     """Gives a view of any array of numbers. Nested sequences are copied. `name` is for messages."""
-    if numpy is not None and type(obj) is numpy.ndarray:  # nothing but its numbers can be meant
+    if numpy is not None and type(obj) is numpy.ndarray:  # on the host, and without a gradient
         return _of_interface(obj, obj.__array_interface__, name)
     refuse_device_memory(obj, name)
     if getattr(obj, "requires_grad", False):

@@ -160,7 +160,9 @@ TEST_P(Swept, LeavesContactsAsTheyAre) {
     const Scene scene = gas({.from = from});
     backend().upload(scene);
     for (int step = 0; step < 400; ++step) {
-      if (step % 50 == 7) EXPECT_EQ(found(), touching_pairs(scene));
+      if (step % 50 == 7) {
+        EXPECT_EQ(found(), touching_pairs(scene));
+      }
       backend().move();
     }
     expect_equal_states(current_state(backend()), run_steps(cpu_backend(), scene, 400), "after swept searches");

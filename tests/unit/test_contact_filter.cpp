@@ -172,7 +172,9 @@ TEST(ContactFilter, NoContactAcrossFacesIsLost) {
         const Ways way = ways_between(a, b, c);
         across += touch && (way.x != a.x - b.x || way.y != a.y - b.y || way.z != a.z - b.z);
         contacts += touch;
-        if (touch) ASSERT_FALSE(is_apart(centre_of(a, c), centre_of(b, c), c)) << from << ' ' << length;
+        if (touch) {
+          ASSERT_FALSE(is_apart(centre_of(a, c), centre_of(b, c), c)) << from << ' ' << length;
+        }
         // Where they were when pairs were listed, if neither has left its skin since.
         const auto earlier = [&](const Body& s) { return box.beside(s, 0.04 * std::abs(box.any()), s.radius); };
         const Body then[2] = {earlier(a), earlier(b)};

@@ -18,7 +18,7 @@ constexpr uint loose_binding = params_binding + 1;  // the block in which glslan
 constexpr uint first_texture_binding = loose_binding + 1;
 
 // Compiles a compute shader for Vulkan 1.1. Throws BackendError with glslang's messages; `what` names the kernel.
-// Starting glslang takes 0.15 s and a kernel 0.01 s, so results are kept in files of `folder`; empty: none.
+// Keeps the result in a file of `folder`, unless that is empty: glslang takes 0.15 s to start, 0.01 s for a kernel.
 SpirvModule compile_to_spirv(const std::string& text, const std::string& what,
                              const std::filesystem::path& folder = {});
 

@@ -43,22 +43,22 @@ std::vector<uint32_t> words_in(const fs::path& path) {
   return words;
 }
 
-// Other processes and threads may write the same file: it gets its name when it is whole.
+// Writes another file and renames it, since other processes may read and write this one.
 void write_words(const fs::path& path, const std::vector<uint32_t>& words) {
   const std::string_view code(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(uint32_t));
   const Digest digest = digest_of(code);
   std::error_code failed;
   fs::create_directories(path.parent_path(), failed);
-  std::string unfinished = path.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(unfinished.data());
+  std::string temporary = path.string() + ".XXXXXX";
+  const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) return;
   ::close(descriptor);
-  std::ofstream file(unfinished, std::ios::binary);
+  std::ofstream file(temporary, std::ios::binary);
   file.write(reinterpret_cast<const char*>(digest.data()), sizeof digest)
       .write(code.data(), std::streamsize(code.size()));
   file.close();
-  if (file) fs::rename(unfinished, path, failed);
-  if (!file || failed) fs::remove(unfinished, failed);
+  if (file) fs::rename(temporary, path, failed);
+  if (!file || failed) fs::remove(temporary, failed);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 namespace spherepair {
 
-// Returns what compile() makes of a text: from a file of the folder, else by a call, whose result is then written
-// there. A folder that cannot be written stays as it is. Empty folder: always by a call.
+// Returns the SPIR-V of a text, as the folder has it. Otherwise calls compile() and writes the result to the folder, if
+// it can. If `folder` is empty, nothing is read or written.
 std::vector<uint32_t> kept_words(const std::filesystem::path& folder, const std::string& text,
                                  const std::function<std::vector<uint32_t>()>& compile);
 
