@@ -74,7 +74,6 @@ class CudaDevice final : public Device, private DeviceLibrary {
   StageEvents stages_;
   std::unordered_set<Entry> loaded_;  // kernels launched so far
   bool programmatic_ = false;         // a launch can begin before the previous one ends
-  bool early_ = false;                // ... and does so in this step
   bool batched_ = true;               // false: the host waits for each launch of this step
   bool overlaps_ = true;              // launches without a hazard overlap, in this step and after it
   Hazards hazards_;                   // writes, clears and Thrust reset it
@@ -167,7 +166,7 @@ void CudaDevice::launch(const Launch& launch, const Params& params, const Buffer
   const bool must_wait = !programmatic_ || !overlaps_ || !waits_last(launch.kernel);
   const bool overlaps = hazards_.overlaps(launch, buffers, must_wait);
   prepared.compilations += loaded_.insert(entry_of(launch)).second;
-  call.params.waits_first = early_ && !overlaps && waits_first(launch, params);
+  call.params.waits_first = programmatic_ && overlaps_ && !overlaps && waits_first(launch, params);
   call.early = overlaps || call.params.waits_first;
   work.early += call.params.waits_first;
   work.overlapped += overlaps;
@@ -188,12 +187,10 @@ void CudaDevice::begin_step(const ApiOptions& options) {
   if (options.graph.value_or(true) && batched_ && !stages_.on())  // stages are timed one by one
     recorder_.begin(options.graph_steps.value_or(graph_sizes.back()));
   overlaps_ = options.overlap.value_or(true);
-  early_ = programmatic_ && overlaps_;
 }
 
 void CudaDevice::end_step() {
   batched_ = true;
-  early_ = false;
   recorder_.end();
 }
 

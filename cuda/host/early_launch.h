@@ -16,6 +16,11 @@ inline bool waits_first(const Launch& launch, const Params& params) {
     case Kernel::grid_sort:
     case Kernel::collide_grid:
     case Kernel::empty:
+    case Kernel::list_count:
+    case Kernel::list_sums:
+    case Kernel::list_scan:
+    case Kernel::list_find:
+    case Kernel::list_order:
       return true;
     case Kernel::move:
     case Kernel::collide_triangle:

@@ -8,6 +8,7 @@ __shared__ uint is_long;  // not 0: a row of the group has more keys than are ke
 
 template <bool LONG_ROWS>
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_count(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: it gets ready early
   uint first = group_index(p) << buf.list_state[0].row_bits;
   if (!is_right(buf) || first >= buf.list_state[0].looking) return;
   uint k = first + lane_of_row(buf);

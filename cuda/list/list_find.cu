@@ -6,6 +6,7 @@
 namespace spherepair {
 
 __global__ void __launch_bounds__(LIST_BLOCK, 8) list_find(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: it gets ready early
   if (!is_right(buf) || !has_room(buf)) return;
   for (uint group = group_index(p); group < buf.list_state[0].longer; group += LIST_LONG_GROUPS) {
     uint first = buf.list_long[group] << buf.list_state[0].row_bits;

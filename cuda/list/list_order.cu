@@ -203,6 +203,7 @@ __device__ inline void order_long_row(const KernelBuffers& buf, uint i) {
 }
 
 __global__ void __launch_bounds__(LIST_ORDER_BLOCK) list_order(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: it gets ready early
   uint looking = buf.list_state[0].looking;
   uint first = group_index(p) << buf.list_state[0].order_bits;
   if (first >= looking || !is_right(buf) || !has_room(buf)) return;

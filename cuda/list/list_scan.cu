@@ -22,6 +22,7 @@ __device__ inline uint64_t sum_up_to(uint lane, uint64_t own) {
 }
 
 __global__ void __launch_bounds__(BLOCK) list_scan(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: it gets ready early
   uint lane = threadIdx.x;
   uint looking = buf.list_state[0].looking;
   if (group_index(p) * LIST_TILE >= looking) return;

@@ -8,6 +8,7 @@ constexpr uint BLOCK = SCAN_BLOCK;
 __shared__ uint64_t sums[BLOCK];
 
 __global__ void __launch_bounds__(BLOCK) list_sums(Params p, KernelBuffers buf) {
+  wait_first(p);  // CUDA only: it gets ready early
   uint lane = threadIdx.x;
   uint first = group_index(p) * LIST_TILE;
   if (first >= buf.list_state[0].looking) return;
