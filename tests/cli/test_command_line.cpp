@@ -165,6 +165,7 @@ TEST_F(CommandLineTest, ProgressIsForATerminalAlone) {
   const std::string words =
       fmt::format("run --backend cpu --threads 1 --motion paper --n {} --steps 10k", by_form(20'000, 2000));
   EXPECT_EQ(run(words).errors, "") << "a pipe stays quiet";
+  if (run_shell("script -qec true /dev/null", folder_).code != 0) GTEST_SKIP() << "no pseudo-terminals, or no `script`";
   const Outcome outcome =
       run_shell(fmt::format("script -qec '{} {}' /dev/null </dev/null", SPHEREPAIR_PROGRAM, words), folder_);
   EXPECT_NE(outcome.output.find(" of 10000"), std::string::npos) << outcome.output;

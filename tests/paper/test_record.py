@@ -132,7 +132,10 @@ class Recording(StandIn):
             os.kill(int((self.home / "calls.txt").read_text().splitlines()[-1].split()[0]), 0)
 
     def test_on_a_terminal_it_shows_the_time_that_passes(self):
-        ours, theirs = pty.openpty()
+        try:
+            ours, theirs = pty.openpty()
+        except OSError as reason:
+            self.skipTest(f"no pseudo-terminals: {reason}")
         process = subprocess.Popen(self.words("--part", "ablate-1"), stdout=theirs, stderr=theirs)
         os.close(theirs)
         process.wait(timeout=60)
