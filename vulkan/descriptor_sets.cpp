@@ -50,7 +50,7 @@ struct DescriptorSets::Contents {
 };
 
 VkDescriptorSet DescriptorSets::get(const Pipeline& pipeline, const BufferHandles& buffers, const Texels& texels,
-                                    const VkDescriptorBufferInfo& unused) {
+                                    VkBuffer unused) {
   const std::vector<uint>& slots = pipeline.slots();
   std::vector<Set>& sets = sets_[&pipeline];
   for (const Set& set : sets)
@@ -61,8 +61,7 @@ VkDescriptorSet DescriptorSets::get(const Pipeline& pipeline, const BufferHandle
   Contents contents{{}, {uniforms_, 0, UniformSlices::slice_bytes}, pipeline.reads_texels() ? view(texels) : nullptr};
   for (const uint slot : slots) {
     set.buffers.push_back(buffers[slot]);
-    contents.storage.push_back(buffers[slot] ? VkDescriptorBufferInfo{table_.at(buffers[slot]), 0, VK_WHOLE_SIZE}
-                                             : unused);
+    contents.storage.push_back({buffers[slot] ? table_.at(buffers[slot]) : unused, 0, VK_WHOLE_SIZE});
   }
   const std::vector<VkWriteDescriptorSet> writes = contents.writes(pipeline, set.handle);
   device_.calls().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);

@@ -28,8 +28,7 @@ class DescriptorSets {
 
   // Finds or makes the set. `unused` fills slots without a buffer: kernels declare buffers that some launches do not
   // use.
-  VkDescriptorSet get(const Pipeline& pipeline, const BufferHandles& buffers, const Texels& texels,
-                      const VkDescriptorBufferInfo& unused);
+  VkDescriptorSet get(const Pipeline& pipeline, const BufferHandles& buffers, const Texels& texels, VkBuffer unused);
 
   size_t made() const { return made_; }
   void forget();  // forgets all sets; the device must have finished all commands that use them

@@ -10,8 +10,7 @@ namespace {
 constexpr uint32_t slices_of_stream = 8192;
 constexpr uint32_t slices_of_launch = 2;  // the parameters, and the loose uniforms
 constexpr size_t most_sets = 2048;
-constexpr uint64_t unused_bytes = 256;  // of a part: a multiple of every device's alignment
-constexpr uint32_t unused_parts = 4096;
+constexpr uint64_t unused_bytes = 256;
 static_assert(sizeof(Params) <= UniformSlices::slice_bytes && sizeof(View) <= UniformSlices::slice_bytes);
 
 Texels texels_of(const Call& call) {
@@ -75,7 +74,7 @@ Launches::Launches(const LogicalDevice& device, const BufferTable& table, Comman
       table_(table),
       stream_(stream),
       stages_(stages),
-      unused_(device, unused_parts * unused_bytes, Place::device),
+      unused_(device, unused_bytes, Place::device),
       pipelines_(device),
       bindings_(device, table, slices_of_stream) {}
 
@@ -83,15 +82,11 @@ const Pipeline& Launches::pipeline_of(const Call& call) {
   return pipelines_.get(call.launch.kernel, call.launch.block, call.launch.variant);
 }
 
-VkDescriptorBufferInfo Launches::next_unused() {
-  return {unused_.handle(), unused_bytes * (unused_parts_++ % unused_parts), unused_bytes};
-}
-
 Launches::Dispatch Launches::bind(const Call& call, Bindings& bindings) {
   const Pipeline& pipeline = pipeline_of(call);
   const Texels texels = pipeline.reads_texels() ? texels_of(call) : Texels{};
   Dispatch made{.pipeline = &pipeline,
-                .set = bindings.sets.get(pipeline, call.buffers, texels, next_unused()),
+                .set = bindings.sets.get(pipeline, call.buffers, texels, unused_.handle()),
                 .groups = call.launch.groups,
                 .early = call.early};
   if (pipeline.takes(params_binding)) made.offsets[made.offset_count++] = params_offset(call, bindings.slices);

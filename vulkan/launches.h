@@ -38,7 +38,6 @@ class Launches final : public StepApi {
   };
   const Pipeline& pipeline_of(const Call& call);
   Dispatch bind(const Call& call, Bindings& bindings);
-  VkDescriptorBufferInfo next_unused();
   void dispatch(VkCommandBuffer commands, const Dispatch& dispatch) const;
 
   const LogicalDevice& device_;
@@ -46,8 +45,7 @@ class Launches final : public StepApi {
   const BufferTable& table_;
   CommandStream& stream_;
   StageQueries& stages_;
-  DeviceBuffer unused_;        // fills slots without a buffer: a part for each set, since launches may overlap
-  uint32_t unused_parts_ = 0;  // given out so far
+  DeviceBuffer unused_;  // fills slots without a buffer
   Pipelines pipelines_;
   Bindings bindings_;
 };

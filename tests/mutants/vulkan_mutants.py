@@ -15,8 +15,6 @@ VULKAN = [
     mutant("a descriptor set is that of other buffers", "vulkan/descriptor_sets.cpp", "if (set.texels == texels &&", "if (true ||",
            "Methods", "Vulkan"),
     mutant("slots that a launch does not use are bound", "vulkan/vulkan_device.cpp", "left = launch.unused;", "left = 0;", "Vulkan"),
-    mutant("one dummy buffer for all descriptor sets", "vulkan/launches.cpp", "(unused_parts_++ % unused_parts)", "0",
-           "Vulkan"),
     mutant("the Vulkan device that is named is ignored", "vulkan/device/instance.cpp", "(wanted.empty() || named)", "(true || named)",
            "DeviceNames"),
     mutant("Vulkan runs in software where hardware is required", "vulkan/device/instance.cpp",
